@@ -7,6 +7,7 @@
 #include "javino_items.h"
 #include "javino_literal.h"
 
+#define UNTIL 1 /* stands between two values */
 #define REFLEX 2 /* stands in front of a reflex */
 
 #define ALIGNMENT sizeof(void *)
@@ -95,7 +96,7 @@ static int8_t compare(const decimal *a, const decimal *b)
     return a->negative ? -1 : 1;
 }
 
-/* ---- One rule: its number, functor 00, { place operator value 00 }, [ 02 reflex ] ---- */
+/* ---- One rule: its number, functor 00, { place operator value [ 01 value ] 00 }, [ 02 reflex ] ---- */
 
 static bool is_operator(char c, bool number)
 {
@@ -111,30 +112,58 @@ static uint8_t word(const char *text, const char *end)
     return p < end ? (uint8_t)(p - text) : 0;
 }
 
+/* Returns the length of the first of one value or two. */
+static uint8_t first_value(const char *values, uint8_t length)
+{
+    const char *p = memchr(values, UNTIL, length);
+    return p ? (uint8_t)(p - values) : length;
+}
+
+/* The condition has values of this length. */
+static bool is_condition(const char *text, uint8_t length)
+{
+    const char *values = text + 2;
+    uint8_t first = first_value(values, length);
+    bool number = is_number(values, first);
+    if (!first || first + 1 == length)
+        return false;
+    if (first < length)
+        number = number && is_number(values + first + 1, (uint8_t)(length - first - 1));
+    return *text >= '1' && *text <= '9' && is_operator(text[1], number);
+}
+
 static bool is_rule(const char *text, const char *end)
 {
     uint8_t n = word(++text, end);
     if (!n)
         return false;
     for (text += n + 1; text < end && *text != REFLEX; text += n + 3) {
-        if (end - text < 4 || *text < '1' || *text > '9')
+        if (end - text < 4)
             return false;
         n = word(text + 2, end);
-        if (!n || !is_operator(text[1], is_number(text + 2, n)))
+        if (!is_condition(text, n))
             return false;
     }
     return text == end || text + 1 < end;
 }
 
-static bool holds(const char *condition, uint8_t length, const char *text, uint8_t text_length)
+/* The condition has values of this length; if its rule was met, the second one counts. */
+static bool holds(const char *condition, uint8_t length, bool met, const char *text, uint8_t text_length)
 {
     char how = condition[1];
     const char *value = condition + 2;
+    uint8_t first = first_value(value, length);
     const char *argument;
     uint8_t n = javino_argument(text, text_length, (uint8_t)(*condition - '1'), &argument);
     bool number = n && is_number(argument, n);
     int8_t order;
     decimal a, b; /* sdcc passes no structs by value */
+    if (met && first < length) {
+        value += first + 1;
+        length -= first + 1;
+    } else {
+        length = first;
+    }
     if (!n || number != is_number(value, length))
         return how == '!';
     if (number) {
@@ -154,15 +183,16 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     }
 }
 
-/* Returns true if a percept meets a rule. Sets reflex to the beginning of the rule's reflex, or to the rule's end. */
-static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
+/* Returns true if a percept meets a rule, which was met at the last look or not. Sets reflex to the beginning of the rule's reflex, or to
+ * the rule's end. */
+static bool meets(const char *rule, const char *end, bool met, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
     if (n != javino_word(text, length) || memcmp(rule, text, n) != 0)
         return false;
     for (rule += n + 1; rule < end && *rule != REFLEX; rule += n + 3) {
         n = (uint8_t)strlen(rule + 2);
-        if (!holds(rule, n, text, length))
+        if (!holds(rule, n, met, text, length))
             return false;
     }
     *reflex = rule < end ? rule + 1 : end;
@@ -288,7 +318,7 @@ static void watch(javino_board *b)
         const char *text = b->text + begin + JAVINO_ITEM_HEADER;
         uint8_t length = (uint8_t)(end - begin - JAVINO_ITEM_HEADER);
         const char *reflex;
-        if (r->seen & bit || !meets(rule, rule_end, text, length - 1, &reflex))
+        if (r->seen & bit || !meets(rule, rule_end, (r->met & bit) != 0, text, length - 1, &reflex))
             continue;
         r->seen |= bit;
         if (!(r->met & bit)) {

@@ -447,6 +447,8 @@ def rule_cases():
         ("number 0", b"\x00d\x00"), ("no functor", b"\x07\x00"), ("a functor without its end", b"\x07d"),
         ("place 0", on(b"0<40\x00")), ("a place that is no digit", on(b"a<40\x00")), ("an unknown operator", on(b"1?40\x00")),
         ("a value without its end", on(b"1<40")), ("no value", on(b"1<\x00")), ("less than an atom", on(b"1<f\x00")),
+        ("no second value", on(b"1<40\x01\x00")), ("only a second value", on(b"1<\x0150\x00")),
+        ("three values", on(b"1<40\x0150\x0160\x00")), ("a second value that is an atom", on(b"1<40\x01f\x00")),
         ("a condition that is cut", on(b"1")), ("a reflex without text", on(b"\x02")),
     ]
     return [
@@ -467,6 +469,7 @@ def rule_cases():
         case("two conditions", on(b"1=f\x002<40\x00"), b"d(f,39);", b"d(f,40);", b"d(l,39);", b"d(f);", b"d(f,39,x);"),
         case("twice the same place", on(b"1>10\x001<20\x00"), b"d(10);", b"d(15);", b"d(20);"),
         case("the ninth place", on(b"9=1\x00"), b"d(1,1,1,1,1,1,1,1,1);", b"d(1,1,1,1,1,1,1,1);", b"d(0,0,0,0,0,0,0,0,1,5);"),
+        case("two values, of a rule that was not met before", on(b"1<40\x0150\x00"), *one),
         case("no condition", on(b""), b"d;", b"d(1);", b"dd;", b"e;"),
         case("with a reflex", on(b"1<40\x00\x02stop(now)"), b"d(39);", b"d(41);"),
         case("arguments with commas, quotes and brackets", on(b"3<5\x00"),
@@ -621,6 +624,11 @@ CONVERSATIONS = [
      {"look": True}, {"percepts": ["dist(f,38);"], "look": True}, {"percepts": ["dist(f,50);"], "look": True},
           {"percepts": ["dist(f,2);"], "look": True},
      {"percepts": [], "look": True}, {"percepts": ["dist(l,90);", "dist(f,39);", "dist(r,1);"], "look": True}),
+    ("a rule with a second limit", {}, HELLO,
+     {"percepts": ["dist(f,41);"], "to": [row(0, rule(b"\x07dist\x001=f\x002<40\x0145\x00\x02front"))]}, {"look": True},
+     {"percepts": ["dist(f,39);"], "look": True}, {"percepts": ["dist(f,44);", "dist(l,39);"], "look": True},
+     {"percepts": ["dist(f,45);"], "look": True}, {"percepts": ["dist(f,44);"], "look": True},
+     {"percepts": ["dist(f,39);"], "look": True}, {"percepts": [], "look": True}, {"percepts": ["dist(f,44);"], "look": True}),
     ("a rule without a reflex, and one whose reflex is refused", {}, HELLO, to(row(0, rule(b"\x01a\x00"), rule(b"\x02b\x00\x02bump"))),
      {"percepts": ["b(2);", "a(1);"], "look": True}),
     ("a rule is met at once when it is set", {}, HELLO, {"percepts": ["dist(f,39);"], "to": [row(0, SET_RULE)]}, {"look": True},

@@ -8,6 +8,7 @@ NO_REFLEX = 0
 CARRIED_OUT = 1
 NOT_CARRIED_OUT = 2
 
+_UNTIL = "\x01"
 _REFLEX = "\x02"
 
 
@@ -26,17 +27,19 @@ def read(text):
     while at < len(text) and text[at] != _REFLEX:
         place, operator = text[at], text[at + 1:at + 2]
         value, at = _word(text, at + 2)
-        if not "1" <= place <= "9" or operator not in ("<", ">", "{", "}", "=", "!") or not value:
+        values = (value or "").split(_UNTIL, 1)
+        if not "1" <= place <= "9" or operator not in ("<", ">", "{", "}", "=", "!") or "" in values:
             return None
-        if operator not in ("=", "!") and not is_number(value):
+        if operator not in ("=", "!") and not (is_number(values[0]) and is_number(values[-1])):
             return None
-        conditions.append((int(place), operator, value))
+        conditions.append((int(place), operator, values))
     reflex = text[at + 1:]
     return None if at < len(text) and not reflex else (functor, conditions, reflex)
 
 
-def _holds(condition, arguments):
-    place, operator, value = condition
+def _holds(condition, arguments, was_met):
+    place, operator, values = condition
+    value = values[-1 if was_met else 0]
     if place > len(arguments):
         return operator == "!"
     argument = arguments[place - 1]
@@ -50,13 +53,13 @@ def _holds(condition, arguments):
     return (order == 0) == (operator == "=")
 
 
-def is_met(rule, percept):
-    """Returns true if the percept has the rule's functor and meets all conditions of the rule."""
+def is_met(rule, percept, was_met=False):
+    """Returns true if the percept has the rule's functor and meets all conditions of the rule, which was met at the last look or not."""
     if functor_of(percept) != rule[0]:
         return False
     arguments = split(percept)[1]
     for condition in rule[1]:
-        if not _holds(condition, arguments):
+        if not _holds(condition, arguments, was_met):
             return False
     return True
 
@@ -111,9 +114,10 @@ class Rules:
         percept met the rule in the last look."""
         found = []
         for number, rule in self._rules:
-            if number not in self._seen and is_met(rule, percept):
+            was_met = number in self._met
+            if number not in self._seen and is_met(rule, percept, was_met):
                 self._seen.append(number)
-                if number not in self._met:
+                if not was_met:
                     found.append((number, rule[2]))
         return found
 

@@ -157,7 +157,7 @@ class Board:
         texts, sent = [t for t in self.program.percepts(b"") if len(t) <= MAX_CRITICAL_PERCEPT], []
         for number in sorted(self.rules):
             rule = self.rules[number]
-            text = next((t for t in texts if rules.met(rule, t)), None)
+            text = next((t for t in texts if rules.met(rule, t, number in self.met)), None)
             if text is None:
                 self.met.discard(number)
             elif number not in self.met:

@@ -3,6 +3,7 @@ import re
 from fractions import Fraction
 from typing import NamedTuple, Optional
 
+UNTIL = b"\x01"
 REFLEX = 2
 BLANK = b" "
 NOT = b"!"
@@ -14,7 +15,7 @@ _NUMBER = re.compile(rb"[+-]?[0-9]+(\.[0-9]+)?\Z")
 class Condition(NamedTuple):
     place: int
     operator: bytes
-    value: bytes
+    values: tuple  # two: the second one counts while the rule is met
 
 
 class Rule(NamedTuple):
@@ -42,11 +43,12 @@ def read(text):
     while rest and rest[0] != REFLEX:
         place, operator = rest[:1], rest[1:2]
         value, rest = _word(rest[2:])
-        if place not in tuple(b"%d" % i for i in range(1, 10)) or operator not in _OPERATORS or not value:
+        values = tuple(value.split(UNTIL, 1))
+        if place not in tuple(b"%d" % i for i in range(1, 10)) or operator not in _OPERATORS or not all(values):
             raise Malformed
-        if operator not in (b"=", NOT) and not _NUMBER.match(value):
+        if operator not in (b"=", NOT) and not all(map(_NUMBER.match, values)):
             raise Malformed
-        conditions.append(Condition(int(place), operator, value))
+        conditions.append(Condition(int(place), operator, values))
     if rest == bytes([REFLEX]):
         raise Malformed
     return Rule(number, functor, tuple(conditions), rest[1:] or None)
@@ -60,16 +62,16 @@ def _word(text):
     return text[:end], text[end + 1:]
 
 
-def met(rule, percept):
-    """Returns true if the percept has the rule's functor and meets all conditions of the rule."""
+def met(rule, percept, before=False):
+    """Returns true if the percept has the rule's functor and meets all conditions of the rule, which was met `before` or not."""
     functor, arguments = literal(percept)
-    return functor == rule.functor and all(_holds(c, arguments) for c in rule.conditions)
+    return functor == rule.functor and all(_holds(c, arguments, before) for c in rule.conditions)
 
 
-def _holds(condition, arguments):
+def _holds(condition, arguments, before):
     if condition.place > len(arguments):
         return condition.operator == NOT
-    argument, value = arguments[condition.place - 1], condition.value
+    argument, value = arguments[condition.place - 1], condition.values[-1 if before else 0]
     numbers = [bool(_NUMBER.match(text)) for text in (argument, value)]
     if numbers[0] != numbers[1]:
         return condition.operator == NOT

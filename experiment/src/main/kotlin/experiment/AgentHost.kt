@@ -13,33 +13,59 @@ import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
 
 /**
- * Runs Jason with as many agents `robot` of the project `experiment` as there are robots at the moment. A program can run only one Jason,
- * since Jason keeps itself in a static field. Safe for use by several threads.
+ * An agent that is about to be created.
+ *
+ * @property program the file of its program in the folder `agent`
+ * @property isArgo whether it is an ARGO agent, with the [options] of its `.mas2j`, or a common one
+ * @property beliefs its initial beliefs besides those of its program
+ * @property plans further plans, which come behind those of its program
+ * @property witnesses architectures in front of its own
+ */
+internal class Newcomer(
+    val name: String,
+    val program: String,
+    val isArgo: Boolean = true,
+    val options: Map<String, String> = emptyMap(),
+    val beliefs: List<Literal> = emptyList(),
+    val plans: List<String> = emptyList(),
+    val witnesses: List<AgArch> = emptyList(),
+)
+
+/**
+ * Runs Jason with as many agents as there are at the moment. A program can run only one Jason, since Jason keeps itself in a static field.
+ * Safe for use by several threads.
  */
 internal class AgentHost : RunLocalMAS() {
-    private val source: String
     private val services = LocalRuntimeServices(this)
 
     init {
         ReflexFilters.offer()
-        val sample = SampleProject("experiment")
-        source = sample.mas.getAg("robot").source.toString()
-        sample.mas.agents.clear()
+        val project = SampleProject("experiment").mas
+        project.agents.clear()
         parseArgs(arrayOf("--no-net"))
-        setProject(sample.mas)
+        setProject(project)
         create()
         start()
     }
 
-    /**
-     * Creates and starts the agent of [trial]. The agent's robot is on [port], and [witnesses] stand in front of the agent's architectures.
-     */
-    fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch {
-        val settings = AgentSettings().apply { addOption("argo_sensing", trial.condition.sensing) }
-        val given = services.createAgent(trial.id, source, null, listOf("argo.Arch"), null, settings, null)
-        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent ${trial.id}" }
-        beliefs(trial, port).forEach { agent.ts.ag.addBel(it) }
-        witnesses.forEach(agent::insertAgArch)
+    /** Creates and starts the agent `robot` of [trial], whose robot is on [port]. */
+    fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch = begin(
+        Newcomer(
+            trial.id, "robot.asl", options = mapOf("argo_sensing" to trial.condition.sensing), beliefs = beliefs(trial, port),
+            witnesses = witnesses,
+        ),
+    )
+
+    /** Creates and starts [newcomer]. */
+    fun begin(newcomer: Newcomer): LocalAgArch {
+        val source = checkNotNull(javaClass.getResource("/experiment/${newcomer.program}")) { "there is no ${newcomer.program}" }
+        val settings = AgentSettings().apply { newcomer.options.forEach(::addOption) }
+        val archs = if (newcomer.isArgo) listOf("argo.Arch") else emptyList()
+        val given = services.createAgent(newcomer.name, "$source", null, archs, null, settings, null)
+        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent ${newcomer.name}" }
+        newcomer.beliefs.forEach(agent.ts.ag::addBel)
+        newcomer.plans.forEach { agent.ts.ag.pl.add(ASSyntax.parsePlan(it)) }
+        newcomer.witnesses.forEach(agent::insertAgArch)
         services.startAgent(given)
         return agent
     }

@@ -3,11 +3,9 @@ package experiment
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import java.nio.channels.FileChannel
-import java.nio.channels.OverlappingFileLockException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
-import java.nio.file.StandardOpenOption
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
@@ -57,29 +55,13 @@ internal class Archive(val directory: Path) : AutoCloseable {
      */
     fun open(asked: Settings) {
         Files.createDirectories(runs)
-        if (claim == null) claim = claimed()
+        if (claim == null) claim = claim(directory)
         val present = settings()
         if (present != null && present != asked) throw ContinuationException(
             "$directory holds an experiment with other settings: ${differences(present, asked)}. Continue it with its own, or choose " +
                 "another directory with --out",
         )
         if (present == null) begin(asked)
-    }
-
-    /** Locks the directory. The operating system ends the lock with the program, however that ends. */
-    private fun claimed(): FileChannel {
-        // No other code opens this file, since closing it would end the lock.
-        val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
-        val lock = try {
-            channel.tryLock()
-        } catch (_: OverlappingFileLockException) {
-            null // another experiment of this program has the lock
-        }
-        if (lock != null) return channel
-        channel.close()
-        throw ContinuationException(
-            "an experiment is being made in $directory right now; wait for its end, or choose another directory with --out",
-        )
     }
 
     /** Writes all settings or none, even if the program is killed. */

@@ -55,6 +55,10 @@ internal object Calibration {
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 
+    /** Returns the factor that the user has [asked] for, else a measured one, with its origin in words. */
+    fun slowdown(asked: Double?): Pair<Double, String> =
+        if (asked != null) asked to "set with --slowdown" else eventsPerSecond().let { slowdown(it) to words(it) }
+
     /** Explains the origin of [slowdown] for the report. */
     fun words(eventsPerSecond: Double): String = String.format(
         Locale.ROOT, "%.0f events a second here, %.0f on a Raspberry Pi 3 Model B (sysbench cpu, primes up to 10,000, one thread)",

@@ -1,16 +1,12 @@
 package experiment
 
 import java.util.concurrent.ConcurrentLinkedQueue
-import java.util.concurrent.ExecutionException
-import java.util.concurrent.Executors
-import java.util.concurrent.Future
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Makes the missing runs of an experiment, [jobs] at a time in their order, and keeps their records.
  *
- * A run is repeated if this machine was later than [maxLateMs] for its own simulation, until it was made [MAX_TRIES] times. The last one
- * counts, and its result records the delay.
+ * A run is repeated if this machine was late for its own simulation, see [punctual]. The last one counts, and its result records the delay.
  */
 internal class Campaign(
     private val archive: Archive,
@@ -52,28 +48,8 @@ internal class Campaign(
         val wanted = trials.toSet()
         val over = ConcurrentLinkedQueue(archive.finished().filter { it.trial in wanted && it.result.outcome != Outcome.FAILED })
         val missing = ConcurrentLinkedQueue(trials - over.map { it.trial }.toSet())
-        val pool = Executors.newFixedThreadPool(jobs)
-        val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
-        pool.shutdown()
-        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only when all workers have ended
+        inParallel(jobs, given) { makeAll(missing, over, trials.size) }
         return over.toList()
-    }
-
-    private fun failure(worker: Future<*>): Throwable? = try {
-        worker.get()
-        null
-    } catch (failed: ExecutionException) {
-        failed.cause
-    }
-
-    private fun work(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
-        var isDone = false
-        try {
-            makeAll(missing, over, all)
-            isDone = true
-        } finally {
-            if (!isDone) given.giveUp() // otherwise the failure is reported an hour later
-        }
     }
 
     private fun makeAll(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
@@ -82,17 +58,8 @@ internal class Campaign(
             val left = missing.sumOf(::expectedMs) / jobs
             report(Status(over.size, all, collisions, left + left * repetitions / maxOf(1, over.size), repetitions))
             val trial = missing.poll() ?: return
-            over += punctual(trial) ?: return
+            over += punctual(Finished::isLate, repeated::incrementAndGet) { recorded(trial) } ?: return
         }
-    }
-
-    private fun punctual(trial: Trial): Finished? {
-        repeat(MAX_TRIES - 1) {
-            val run = recorded(trial) ?: return null
-            if (!run.isLate) return run
-            repeated.incrementAndGet()
-        }
-        return recorded(trial)
     }
 
     private fun recorded(trial: Trial): Finished? = RecordWriter(archive.file(trial)).use { record ->
@@ -101,8 +68,6 @@ internal class Campaign(
     }
 
     companion object {
-        const val MAX_TRIES = 3
-
         private const val MINUTE_MS = 60_000L
 
         /** The longest time of a run, in ms, from the start to the wall, unless the run fails. */

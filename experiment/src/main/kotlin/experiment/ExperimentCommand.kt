@@ -10,14 +10,8 @@ import javino.link.Link
 import javino.link.LinkSettings
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
-import samples.project.Logs
-import samples.project.Progress
-import sun.misc.Signal
 import java.io.IOException
-import java.io.PrintStream
-import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardOpenOption
 import java.time.Instant
 import kotlin.random.Random
 
@@ -140,7 +134,8 @@ internal class ExperimentCommand : ToolCommand() {
     private fun make(archive: Archive, settings: Settings, conditions: List<Condition>, workers: Int): Int {
         val finished = Experiment(archive, settings, workers).run(trials(settings, conditions)) ?: return INTERRUPTED
         val failed = finished.filter { it.result.outcome == Outcome.FAILED }
-        val page = writeReport(archive.directory, settings, archive.finished(), Provenance(build(), Instant.now(), machine(workers)))
+        val made = Provenance(build(), Instant.now(), machine("At most $workers robots at once"))
+        val page = writeReport(archive.directory, settings, archive.finished(), made)
         println("report: $page")
         failed.forEach { println("${it.trial.id} failed: ${it.result.reason}") }
         return if (failed.isEmpty()) 0 else 1
@@ -169,70 +164,33 @@ internal class ExperimentCommand : ToolCommand() {
         if (present != null) return present.copy(
             plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port,
         )
-        val chosen = if (port == null) slowdown else NOT_SLOWED
-        val events = if (chosen == null) Calibration.eventsPerSecond() else 0.0
-        return Settings(
-            plan = plan,
-            seed = seed ?: Random.nextInt(1, MAX_SEED).toLong(),
-            slowdown = chosen ?: Calibration.slowdown(events),
-            computer = when {
-                port != null -> "those of a real robot are not slowed"
-                chosen == null -> Calibration.words(events)
-                else -> "set with --slowdown"
-            },
-            port = port,
-        )
+        val (factor, computer) =
+            if (port == null) Calibration.slowdown(slowdown) else NOT_SLOWED to "those of a real robot are not slowed"
+        return Settings(plan, seed ?: Random.nextInt(1, MAX_SEED).toLong(), factor, computer, port)
     }
-
-    private fun machine(workers: Int): String =
-        listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
-            .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
-
-    /** Returns the version and the commit of ARGO. The property `argo.build` has them if there is no jar. */
-    private fun build(): String =
-        System.getProperty("argo.build") ?: javaClass.`package`.implementationVersion ?: "of an unknown version"
 
     private companion object {
         const val FRONT = "dist(f,"
         const val ANSWER_LIMIT_MS = 500
         const val MAX_REQUESTS = 5
         const val BETWEEN_REQUESTS_MS = 200L
-        const val INTERRUPTED = 130
-        const val MAX_JOBS = 256
-        const val MAX_SLOWDOWN = 1000.0
         const val NOT_SLOWED = 1.0
-        const val MAX_SEED = 1_000_000
     }
 }
 
-/** Makes the runs of an experiment with a line of progress, until they are over or the user presses Ctrl-C. */
+/** Makes the runs of an experiment, until they are over or the user presses Ctrl-C. */
 internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
     private val given = GivenUp()
 
     /** Makes the missing runs of [trials]; null: the user interrupted them. */
     fun run(trials: List<Trial>): List<Finished>? {
-        val progress = Progress.onStandardOutput()
-        listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }
-        val begin = System.nanoTime()
-        val finished = try { made(trials, progress, begin) } finally { progress.end() }
+        val finished = attended(archive.directory, given) { show, punctuality ->
+            Campaign(archive, settings, laboratory(punctuality), jobs, given) { show(it.words) }.run(trials)
+        }
         if (!given.isUp) return finished
         println("interrupted after ${finished.size} of ${trials.size} runs; the same command with --out ${archive.directory} continues")
         return null
     }
-
-    private fun made(trials: List<Trial>, progress: Progress, begin: Long): List<Finished> =
-        PrintStream(
-            Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true,
-            Charsets.UTF_8,
-        ).use { log ->
-            Logs.to(log)
-            Punctuality().use { punctuality ->
-                val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) {
-                    progress.show(it.words, System.nanoTime() - begin)
-                }
-                campaign.run(trials)
-            }
-        }
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
         settings.port?.let { port ->

@@ -23,12 +23,6 @@ internal fun answerLimitMs(trial: Trial): Int =
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
-/**
- * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time for a request and the answer of the
- * twelve sensors at 9600 baud.
- */
-internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
-
 /** Returns the number of bytes of a request and its answer. In version 2 the computer knows [known] texts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }

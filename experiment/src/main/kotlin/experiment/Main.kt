@@ -1,6 +1,7 @@
 package experiment
 
 import argo.tools.command.refusingInWords
+import experiment.delegation.DelegationCommand
 import picocli.CommandLine
 import kotlin.system.exitProcess
 
@@ -14,5 +15,5 @@ fun main(args: Array<String>) {
 
 internal fun program(): CommandLine {
     val name = "${System.getProperty("argo.command") ?: "./argo"} experiment"
-    return CommandLine(ExperimentCommand()).setCommandName(name).refusingInWords("command")
+    return CommandLine(ExperimentCommand()).addSubcommand(DelegationCommand()).setCommandName(name).refusingInWords("command")
 }

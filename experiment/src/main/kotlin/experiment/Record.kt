@@ -133,7 +133,4 @@ internal fun readRecord(file: Path): List<Entry>? {
 
 internal data class Finished(val trial: Trial, val result: Entry.Result) {
     val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
-
-    /** True if this machine was later than its condition allows, see [maxLateMs]. */
-    val isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 }

@@ -2,6 +2,7 @@ package experiment
 
 import jason.architecture.AgArch
 import java.lang.management.ManagementFactory
+import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
 
 /**
@@ -34,16 +35,38 @@ internal class SlowTime(private val factor: Double) {
 /**
  * Slows the reasoning of an agent: each cycle takes [factor] times its processor time. Time in which the agent's thread waits, above all
  * for its line, is not stretched.
+ *
+ * @param processors the processors of the computer, which its agents share; a cycle holds one
  */
-internal class SlowComputer(factor: Double) : AgArch() {
+internal class SlowComputer(private val factor: Double, private val processors: Semaphore = Semaphore(1)) : AgArch() {
     private val time = SlowTime(factor)
     private val threads = ManagementFactory.getThreadMXBean()
     private var cpuBefore: Long? = null
 
+    /** The processor time of the agent on the slow computer, in ns. Any thread may ask. */
+    @Volatile
+    var busyNanos = 0L
+        private set
+
+    override fun reasoningCycleStarting() {
+        processors.acquireUninterruptibly()
+        super.reasoningCycleStarting()
+    }
+
     override fun reasoningCycleFinished() {
-        super.reasoningCycleFinished()
+        try {
+            super.reasoningCycleFinished()
+            stretch()
+        } finally {
+            processors.release()
+        }
+    }
+
+    private fun stretch() {
         val cpu = threads.currentThreadCpuTime
-        val wait = time.owedAfter(cpu - (cpuBefore ?: cpu))
+        val taken = cpu - (cpuBefore ?: cpu)
+        busyNanos += (taken * factor).toLong()
+        val wait = time.owedAfter(taken)
         if (wait > 0) {
             val start = System.nanoTime()
             LockSupport.parkNanos(wait)

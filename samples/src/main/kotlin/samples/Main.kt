@@ -42,6 +42,7 @@ private fun samples() = CommandLine(Samples()).addSubcommand(CollisionCommand())
     .addProject("two-boards", "One agent that works with two boards in turn, by changing its port at run time. The boards are simulated.")
     .addProject("three-boards", "A robot of three boards, wheels, sensors and an arm, fetches a can. The boards are simulated.")
     .addProject("greenhouse", "An agent keeps a simulated greenhouse for a day, which takes a quarter of a minute, and obeys a person.")
+    .addProject("sensing-agents", "A robot of three boards with an ARGO agent for each kind of its sensors. The boards are simulated.")
     .addSubcommand(TurtleCommand())
     .addProject(
         "typed-filters",

@@ -58,7 +58,7 @@ class CommandLineSpec : FunSpec({
     }
 
     context("help is shown for") {
-        listOf("", "collision", "blink", "delegation", "two-boards", "three-boards").forEach { command ->
+        listOf("", "collision", "blink", "delegation", "two-boards", "three-boards", "sensing-agents").forEach { command ->
             test("samples $command".trim()) {
                 val (status, printed) = run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 0

@@ -57,6 +57,8 @@ class SmallSamplesSpec : FunSpec({
 
     ends("greenhouse", "[gardener] vent open", "[operator] the storm is over")
 
+    ends("sensing-agents", "[robot] drives", "[robot] stopped", "[pilot] the wall is")
+
     ends("delegation", "[robot] drives", "[pilot] the wall is", "[robot] stopped")
 })
 

@@ -13,21 +13,22 @@ import java.math.BigDecimal
 /**
  * Returns the board rule that decides like [critical]; null: there is none.
  * A board compares texts and decimal numbers. So both rules decide alike for percepts as boards write them: without namespaces, comments,
- * variables and expressions, and with numbers of at most 15 digits without an exponent.
+ * variables and expressions, with numbers of at most 15 digits without an exponent, and all of a functor with equally many arguments.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
     if (critical.smoothed || rule.arity != null || !isPlain(rule.predicate)) return null
     val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
-    if (!conditions.all { it.isExact(conditions) }) return null
+    if (!conditions.all { it.isExact(conditions) && it.namesSensor(conditions) }) return null
     return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.isSendable }
 }
 
 private fun conditionOf(condition: Argument): Condition? {
-    val test = condition.test.takeIf { condition.until == null } as? TermTest.Compare ?: return null
+    val test = condition.test as? TermTest.Compare ?: return null
     val value = valueOf(test.value) ?: return null
     val place = (condition.index + 1).takeIf { it <= Condition.MAX_PLACE } ?: return null
-    return Condition(place, operatorOf(test.operator), value)
+    val until = condition.until?.let { decimalOf(it) ?: return null }
+    return Condition(place, operatorOf(test.operator), value, until)
 }
 
 /**
@@ -36,6 +37,16 @@ private fun conditionOf(condition: Argument): Condition? {
  */
 private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
+
+/**
+ * Returns true if the condition has one limit, or all others only say for which sensor it is. A filter holds to a second limit for each
+ * sensor and condition, and a board for the rule. So each argument in front must have one value, and no other one may be asked for.
+ */
+private fun Condition.namesSensor(all: List<Condition>): Boolean {
+    if (until() == null) return true
+    val others = all.filter { it !== this }
+    return others.all { it.operator() == BoardRule.Operator.EQUAL } && others.map { it.place() }.toSet() == (1 until place()).toSet()
+}
 
 private fun operatorOf(operator: Operator): BoardRule.Operator = when (operator) {
     Operator.EQ -> BoardRule.Operator.EQUAL

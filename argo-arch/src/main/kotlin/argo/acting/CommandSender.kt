@@ -45,10 +45,12 @@ internal class CommandSender(
         return Transmission(sent.giveUp) { left, outcome ->
             follow(what, sent, left) { value, trouble ->
                 val answer = (value as? Answer)?.takeIf { isAnswered }
-                outcome(trouble?.let(::failed) ?: answer?.why?.let { Failure(NO_ANSWER, "$what was carried out, but $it") }, answer?.text)
+                outcome(trouble?.let(::failed) ?: missing(what, answer), answer?.text)
             }
         }
     }
+
+    private fun missing(what: String, answer: Answer?) = answer?.why?.let { Failure(NO_ANSWER, "$what was carried out, but $it") }
 
     private fun follow(what: String, sent: SentCommand, left: () -> Unit, outcome: (value: Any?, trouble: Throwable?) -> Unit) {
         val end = sent.outcome.handle { value: Any?, trouble: Throwable? -> value to trouble }
@@ -60,14 +62,14 @@ internal class CommandSender(
         }
     }
 
-    /** Sends [text] on the caller's thread. Returns the reason why that failed; null: it was sent. */
-    fun sendNow(text: String, options: CommandOptions): Failure? = try {
-        link.sendAndAwait(text, options.forLink())
-        null
+    /** Sends [text] on the caller's thread, and waits for the outcome. */
+    fun sendNow(text: String, options: CommandOptions): Transmission = try {
+        val answer = link.sendAndAwait(text, options.forLink())?.takeIf { options.answer != null }
+        ended(missing("\"$text\"", answer), answer?.text)
     } catch (trouble: PortException) {
-        failed(trouble)
+        ended(failed(trouble))
     } catch (unforeseen: Throwable) { // whatever a transport throws
-        failed(unforeseen)
+        ended(failed(unforeseen))
     }
 
     private fun CommandOptions.forLink() = SendOptions(urgent, timeoutMs ?: 0, latest)

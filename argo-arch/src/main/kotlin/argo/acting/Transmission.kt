@@ -23,8 +23,8 @@ internal class Transmission(
     fun follow(left: () -> Unit, outcome: (failure: Failure?, answer: String?) -> Unit) = following(left, outcome)
 }
 
-/** Returns a command that has ended: with [failure], or null. */
-internal fun ended(failure: Failure?) = Transmission { left, outcome ->
+/** Returns a command that has ended: with [failure], or null, and the text of the [answer] that was asked for. */
+internal fun ended(failure: Failure?, answer: String? = null) = Transmission { left, outcome ->
     left()
-    outcome(failure, null)
+    outcome(failure, answer)
 }

@@ -3,7 +3,6 @@ package argo.boards
 import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.acting.Transmission
-import argo.acting.ended
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.sensing.Sensing
@@ -29,5 +28,5 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         waker.wakeIn(intervalMs.toLong()) // an agent without other work must perceive again
     }
 
-    fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission = ended(commands.sendNow(text, options))
+    fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission = commands.sendNow(text, options)
 }

@@ -93,9 +93,9 @@ interface BoardLink : AutoCloseable {
     /** Sends a command that changes the board's critical rules, without waiting. Only for boards that have reported room for rules. */
     fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
-    /** Sends [text] as a command and waits for its outcome. */
+    /** Sends [text] as a command and waits for its outcome. Returns the answer; null: the far end gives none to such commands. */
     @Throws(PortException::class)
-    fun sendAndAwait(text: String, options: SendOptions)
+    fun sendAndAwait(text: String, options: SendOptions): Answer?
 
     /**
      * Takes queued commands to the board on the calling thread until the link is closed. Returns at once if the link needs no such thread.

@@ -4,6 +4,7 @@ import javino.LineClock
 import javino.PortException
 import javino.Services
 import java.lang.ref.SoftReference
+import java.nio.file.Path
 import java.util.WeakHashMap
 
 /**
@@ -14,8 +15,11 @@ import java.util.WeakHashMap
  * Any thread may call. Unlike a line, a board may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** The scheme of the provider's ports, without the colon, such as `ros`. The scheme must not be a transport's scheme. */
+    /** The scheme of the provider's ports, without the colon, such as `ros`. */
     val scheme: String
+
+    /** Returns true if [port] is the provider's: by its [scheme], which must not be a transport's scheme unless this tells them apart. */
+    fun opens(port: String): Boolean = port.startsWith("$scheme:")
 
     /**
      * Opens the board that [port] names. Opening may take its time; an interrupt of the thread ends it.
@@ -30,11 +34,18 @@ interface BoardLinkProvider {
     /**
      * Opens a board [port] that a test plays; null: a test cannot play boards of this scheme.
      *
+     * @param recording a file with the board's messages, which come at their times; null: only [PlayedBoard.says] sends messages
      * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
      * @throws PortException like [open], except for failed connections: none is made
      */
     @Throws(PortException::class)
-    fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
+    fun play(
+        port: String,
+        isPaced: Boolean,
+        clock: LineClock,
+        recording: Path?,
+        heard: (name: String, message: String) -> Unit,
+    ): PlayedBoard? = null
 
     /** Returns true if [open] is worth trying. Called repeatedly for a board that has gone, so it must be cheap. */
     fun isPresent(port: String): Boolean = true
@@ -44,10 +55,7 @@ interface BoardLinkProvider {
         private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
 
         /** Returns the provider for [port]; null: the port is on a line, or of no known kind. */
-        fun of(port: String): BoardLinkProvider? {
-            val scheme = port.substringBefore(':', "").takeIf { it.isNotEmpty() } ?: return null
-            return all().find { it.scheme == scheme }
-        }
+        fun of(port: String): BoardLinkProvider? = if (':' in port) all().find { it.opens(port) } else null
 
         private fun all(): List<BoardLinkProvider> {
             val loader = Thread.currentThread().contextClassLoader ?: ClassLoader.getSystemClassLoader()

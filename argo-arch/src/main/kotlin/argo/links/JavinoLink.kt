@@ -39,7 +39,10 @@ class JavinoLink(private val link: Link) : BoardLink {
 
     override fun sendRule(rule: CommandItem.Rule, options: SendOptions) = SentCommand(link.sendRule(rule, options))
 
-    override fun sendAndAwait(text: String, options: SendOptions) = link.sendAndAwait(text, options)
+    override fun sendAndAwait(text: String, options: SendOptions): Answer? {
+        link.sendAndAwait(text, options)
+        return null
+    }
 
     override fun writeCommandsUntilClosed() = link.writeCommandsUntilClosed()
 

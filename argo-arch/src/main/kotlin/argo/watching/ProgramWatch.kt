@@ -12,9 +12,8 @@ import java.util.logging.Logger
  */
 internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
     private val closing = CountDownLatch(1)
-    private val watcher = Thread(::watch, "argo-${agent.name}-watching").apply { isDaemon = true }
-
     private val saved = SavedFiles()
+    private val watcher = Thread(::watch, "argo-${agent.name}-watching").apply { isDaemon = true }
 
     init {
         val files = agent.sources() // as Jason has just read them

@@ -40,7 +40,7 @@ internal class RuleLink(override val port: String) : BoardLink {
     override fun check() = Unit
     override fun send(text: String, options: SendOptions) = SentCommand(CompletableFuture.completedFuture(null))
     override fun sendRule(rule: CommandItem.Rule, options: SendOptions) = send("", options)
-    override fun sendAndAwait(text: String, options: SendOptions) = Unit
+    override fun sendAndAwait(text: String, options: SendOptions) = null
     override fun onBoardEvents(listener: BoardListener) {
         this.listener = listener
     }

@@ -8,6 +8,7 @@ import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.TermTest
+import argo.filters.matching.FilterSession
 import argo.filters.matching.matcher
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
@@ -48,11 +49,33 @@ class BoardRuleMappingSpec : FunSpec({
         Rule(argo.filters.Predicate.of(Arb.element("dist", "dist", "~dist").bind()), Arb.list(conditions, 0..3).bind())
     }
 
-    test("a rule that is smoothed, or has a second limit, is mapped to none") {
-        val less = TermTest.Compare(Operator.LT, GroundTerm.of("15"))
-        (boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less)))) == null) shouldBe false
-        boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less, 20.0)))) shouldBe null
-        boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less)), smoothed = true)) shouldBe null
+    val less = TermTest.Compare(Operator.LT, GroundTerm.of("15"))
+    val isFront = Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.of("f")))
+
+    test("a rule that is smoothed is mapped to none, and so is one with a second limit for several sensors, or with another condition") {
+        fun isMapped(vararg conditions: Condition, smoothed: Boolean = false) =
+            boardRuleOf(CriticalRule(Rule("dist", *conditions), smoothed = smoothed)) != null
+        isMapped(isFront, Condition.Argument(1, less, 20.0)) shouldBe true
+        isMapped(Condition.Argument(0, less, 20.0)) shouldBe true
+        isMapped(isFront, Condition.Argument(1, less), smoothed = true) shouldBe false
+        isMapped(Condition.Argument(1, less, 20.0)) shouldBe false
+        isMapped(isFront, Condition.Argument(2, less, 20.0)) shouldBe false
+        isMapped(isFront, Condition.Argument(1, less, 20.0), Condition.Argument(2, less)) shouldBe false
+    }
+
+    test("a board that watches a second limit begins as often as the filter's rule does") {
+        val critical = CriticalRule(Rule("dist", isFront, Condition.Argument(1, less, 20.0)), "stop")
+        checkAll(500, Arb.list(Arb.int(13..22), 1..30), Arb.list(Arb.int(13..22), 30..30)) { front, left ->
+            val board = HeldRules(1).apply { change(checkNotNull(boardRuleOf(critical)).setting(1)) }
+            val session = FilterSession.ofTexts().apply { switchTo(PerceptionFilter("f", emptyList(), critical = listOf(critical))) }
+            var wasMet = false
+            front.forEachIndexed { i, cm ->
+                val percepts = listOf("dist(l,${left[i]})", "dist(f,$cm)")
+                val isMet = session.perceive(percepts, i.toLong()).critical.isNotEmpty()
+                board.look(percepts.map { "$it;" }).isNotEmpty() shouldBe (isMet && !wasMet)
+                wasMet = isMet
+            }
+        }
     }
 
     test("a rule that is mapped to a board decides as the filter does") {
@@ -65,7 +88,7 @@ class BoardRuleMappingSpec : FunSpec({
             val byFilter = PerceptionFilter("f", emptyList(), critical = listOf(critical)).matcher().criticalRules(percept).isNotEmpty()
             if (byFilter) met++
             withClue("$rule, which the board has as $boardRule, and $percept") {
-                HeldRules.isMet(boardRule, PerceptTerm.of("$percept;")) shouldBe byFilter
+                HeldRules.isMet(boardRule, PerceptTerm.of("$percept;"), false) shouldBe byFilter
             }
         }
         mapped shouldBeGreaterThan 5_000

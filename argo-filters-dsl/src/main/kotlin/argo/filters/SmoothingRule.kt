@@ -57,9 +57,11 @@ data class SmoothingRule(
         /** The largest number of percepts for a median. */
         const val MAX_WINDOW: Int = 99
 
-        internal fun requireWindow(size: Int) = require(size in 3..MAX_WINDOW && size % 2 == 1) {
-            "a median of $size; expected an odd number of percepts from 3 to $MAX_WINDOW"
-        }
+        internal fun isWindow(size: Int) = size in 3..MAX_WINDOW && size % 2 == 1
+
+        internal fun requireWindow(size: Int) = require(isWindow(size)) { "a median of $size; expected $WINDOW" }
+
+        internal const val WINDOW = "an odd number of percepts from 3 to $MAX_WINDOW"
     }
 }
 

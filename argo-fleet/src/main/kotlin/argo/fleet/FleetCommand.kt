@@ -3,11 +3,12 @@ package argo.fleet
 import argo.fleet.cluster.JGroupsCluster
 import argo.fleet.node.Fleet
 import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
+import argo.tools.command.requireFile
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 import java.util.logging.Logger
 
@@ -34,26 +35,23 @@ internal class FleetCommand : ToolCommand() {
     private var classPath: String? = null
 
     override fun call(): Int {
-        if (!Files.isReadable(project)) return failed("there is no readable file $project")
+        requireFile(project)
         val mas = FleetMas()
         try {
             val described = mas.read("$project")
             val settings = described.settings(here, bind)
-            val fleet = Fleet(JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG))
+            val fleet = Fleet(
+                JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG), described.views,
+            )
             Runtime.getRuntime().addShutdownHook(Thread(fleet::close, "argo-fleet-leaving"))
             mas.run(fleet, described.agents, described.hosts.size)
         } catch (refused: FleetProjectException) {
-            return failed("$project: ${refused.message}")
+            throw ToolException("$project: ${refused.message}")
         } catch (broken: IOException) {
-            return failed("$here cannot join the fleet: ${broken.message}")
+            throw ToolException("$here cannot join the fleet: ${broken.message}")
         }
-        mas.waitEnd()
+        Thread.currentThread().join() // the end of the system ends the program
         return 0
-    }
-
-    private fun failed(reason: String): Int {
-        err.println(reason)
-        return 1
     }
 
     companion object {

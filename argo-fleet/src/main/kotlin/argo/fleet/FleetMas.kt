@@ -3,7 +3,6 @@ package argo.fleet
 import argo.fleet.agents.DirectoryFacilitator
 import argo.fleet.agents.FleetAgArch
 import argo.fleet.agents.FleetServices
-import argo.fleet.agents.restore
 import argo.fleet.cluster.Refused
 import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
@@ -15,13 +14,14 @@ import argo.fleet.node.MindNews
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.recording.agent.AwaitedOutside
 import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
 import jason.mas2j.ClassParameters
+import jason.mas2j.parser.TokenMgrError
 import jason.runtime.MASConsoleLogFormatter
 import jason.runtime.RuntimeServicesFactory
 import java.io.InputStream
-import java.util.concurrent.CountDownLatch
 import java.util.logging.ConsoleHandler
 import java.util.logging.Level
 import java.util.logging.LogManager
@@ -38,12 +38,19 @@ internal class FleetMas :
     private lateinit var fleet: Fleet
     private lateinit var services: FleetServices
     private lateinit var facilitator: DirectoryFacilitator
-    private val ended = CountDownLatch(1)
     private val log = Logger.getLogger(LOG)
 
-    /** Reads the project in [file]; Jason ends the program if it cannot be read. */
+    /**
+     * Reads the project in [file]. Jason ends the program if the file has a wrong form.
+     *
+     * @throws FleetProjectException if the file contains a character that no project has
+     */
     fun read(file: String): FleetProject {
-        init(arrayOf(file, "--no-net"))
+        try {
+            init(arrayOf(file, "--no-net"))
+        } catch (unreadable: TokenMgrError) {
+            throw FleetProjectException("${unreadable.message}; a name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
+        }
         useJasonsFormat()
         val read = FleetProject(project)
         project.infrastructure = ClassParameters(LOCAL) // Jason expects options of its own infrastructure here
@@ -70,6 +77,7 @@ internal class FleetMas :
         RuntimeServicesFactory.set(services)
         create()
         fleet.join(this, leases)
+        fleet.awaitOthers(MEETING_MS) // so that no first message finds its receiver's computer unknown
         start()
         leases.begin()
     }
@@ -100,19 +108,20 @@ internal class FleetMas :
     /** Uses a thread of its own, since the leases must not wait while a program is read. */
     override fun start(agent: String, reign: Reign, mind: MindNews?) {
         thread(name = "argo-fleet-start-$agent") {
-            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, leases::keep) } ?: return@thread
-            try {
-                if (mind != null) restore(created.ts, mind.program, log)
-            } catch (unreadable: IllegalArgumentException) {
-                log.severe("$agent begins anew, since what it believed cannot be read: ${unreadable.message}")
-            }
-            if (reign.isValid()) services.startAgent(agent) else stop(agent)
+            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }
+                ?: return@thread leases.cannotStart(agent, reign)
+            if (reign.isValid()) services.startAgent(agent) else stop(created)
         }
     }
 
     override fun stop(agent: String) {
-        getAg(agent)?.stopAg()
-        delAg(agent)
+        getAg(agent)?.let(::stop)
+    }
+
+    /** Stops [agent]. Another agent may have the same name by now. */
+    private fun stop(agent: LocalAgArch) {
+        agent.stopAg()
+        if (getAg(agent.agName) === agent) delAg(agent.agName)
     }
 
     override fun addAg(agent: LocalAgArch) {
@@ -126,15 +135,18 @@ internal class FleetMas :
     }
 
     override fun take(message: Say) {
-        val receiver = getAg(message.to) as? FleetAgArch ?: throw Refused("there is no agent ${message.to} on ${fleet.here}")
+        val receiver = getAg(message.to) as? FleetAgArch ?: throw noAgent(message.to)
         receiver.take(message)
     }
 
     override fun kill(wanted: Kill) {
+        if (getAg(wanted.agent) == null) throw noAgent(wanted.agent)
         if (!services.killAgent(wanted.agent, wanted.by, wanted.deadlineMs)) {
-            throw Refused("${wanted.agent} is not on ${fleet.here}, or does not let itself be killed")
+            throw Refused("not_killed", "${wanted.agent} does not let ${wanted.by} kill it")
         }
     }
+
+    private fun noAgent(name: String) = Refused(AwaitedOutside.NO_AGENT, "there is no agent $name on ${fleet.here}")
 
     override fun stop(wanted: Stop) = finish(wanted.deadlineMs, wanted.stopsJvm, wanted.exitStatus)
 
@@ -153,9 +165,6 @@ internal class FleetMas :
         super.finish(deadline, stopJVM, exitValue)
     }
 
-    /** Waits until the program ends. */
-    override fun waitEnd() = ended.await()
-
     companion object {
         /** The name of the fleet's own log. */
         const val LOG = "argo.fleet"
@@ -167,6 +176,7 @@ internal class FleetMas :
             """.trimIndent()
         private const val LOCAL = "Local"
         private const val FAILED = 1
+        private const val MEETING_MS = 1000L
         private val OPTIONS_OF_POOLS = setOf("rc", "cycles", "cycles_sense", "cycles_deliberate", "cycles_act")
     }
 }

@@ -26,16 +26,17 @@ internal class PlacedAgent(val name: String, val parameters: AgentParameters, va
 }
 
 /**
- * The fleet that a `.mas2j` describes:
+ * The fleet in a `.mas2j`, as in this example:
  *
  *     infrastructure: Fleet(name(garden), hosts([base("10.8.0.1"), scout1("10.8.0.11:4712")]), port(4711), tls("certificates"))
  *
- * `hosts` names the computers, with the addresses at which they listen; without an address the name is a host name. Without `hosts`,
- * computers of one network find each other. In place of `tls`, `insecure` allows connections that everybody can read and forge.
+ * `hosts` names the computers, with the addresses at which they listen. Without an address, the name is a host name. A name that is no word
+ * of AgentSpeak stands in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one network find each other.
+ * `insecure`, in place of `tls`, allows connections that everybody can read and forge.
  *
- * @property hosts the computers with their addresses; empty: they find each other
+ * @property hosts the addresses of the computers, by their names; empty: computers find each other
  * @property agents the agents of all computers
- * @throws FleetProjectException if the description has no meaning
+ * @throws FleetProjectException if the description of the fleet is wrong
  */
 internal class FleetProject(project: MAS2JProject) {
     private val options: List<Term> = optionsOf(project)
@@ -60,6 +61,11 @@ internal class FleetProject(project: MAS2JProject) {
 
     /** The agents of the project, each with the computers that it may run on. */
     val planned: Map<String, List<String>> get() = agents.associate { it.name to it.computers }
+
+    /** The agents with a live view, each with its port. */
+    val views: Map<String, Int> get() = agents.mapNotNull { agent ->
+        agent.parameters.options?.get(VIEW)?.let { portOf("$it".trim('"')) }?.let { agent.name to it }
+    }.toMap()
 
     /**
      * Returns the settings of the computer [here].
@@ -105,14 +111,22 @@ internal class FleetProject(project: MAS2JProject) {
     private fun hosts(): Map<String, InetSocketAddress> {
         val option = options.find { it.functor == "hosts" } ?: return emptyMap()
         val list = argument(option) as? ListTerm ?: refuse(option, "hosts([base(\"10.8.0.1\"), scout1(\"10.8.0.11\")])")
-        val hosts = list.asList.map { host ->
-            if (host !is Literal || host.arity > 1) refuse(host, "a computer, as base(\"10.8.0.1\")")
-            host.functor to addressOf(if (host.arity == 0) host.functor else text(host.getTerm(0)))
-        }
+        val hosts = list.asList.map(::host)
         hosts.groupBy { it.first }.values.find { it.size > 1 }?.let {
             throw FleetProjectException("two computers are called ${it.first().first}")
         }
         return hosts.toMap()
+    }
+
+    private fun host(host: Term): Pair<String, InetSocketAddress> {
+        val parts = when {
+            host is StringTerm -> listOf(host.string)
+            host !is Literal -> emptyList()
+            host.functor == NAMED && host.arity == 2 -> host.terms.map(::text)
+            else -> listOf(host.functor) + host.terms.orEmpty().map(::text)
+        }
+        if (parts.size !in 1..2) refuse(host, "a computer, as base(\"10.8.0.1\") or $NAMED(\"rasp-pi\",\"10.8.0.1\")")
+        return parts.first() to addressOf(parts.last())
     }
 
     /** Reads `10.8.0.1`, `10.8.0.1:4711` or `[fd00::1]:4711`. */
@@ -157,7 +171,11 @@ internal class FleetProject(project: MAS2JProject) {
 
     companion object {
         const val INFRASTRUCTURE = "Fleet"
+        private const val VIEW = "argo_view"
         private val KNOWN = listOf("name", "hosts", "port", "tls", "insecure")
+
+        /** The form of a computer whose name is no word of AgentSpeak. */
+        private const val NAMED = "host"
         private val ADDRESS = Regex("""(?:\[([0-9a-fA-F:.]+)]|([^:\[\]]+))(?::(\d+))?""")
         private const val LAST_PORT = 65_535
 

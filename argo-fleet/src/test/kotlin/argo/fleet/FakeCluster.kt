@@ -17,16 +17,13 @@ internal class FakeCluster(override val here: String) : Cluster {
 
     private lateinit var listener: ClusterListener
     private val sent = LinkedBlockingQueue<Sent>()
-    override var computers = mapOf(here to Computer(here, "1"))
-        private set
-    override var hasMajority = true
 
     /** What to do with messages of which the test awaits none; by default they arrive. */
     var answer: (Sent) -> Unit = { it.end.complete(null) }
 
     override fun listen(listener: ClusterListener) {
         this.listener = listener
-        listener.changed(ClusterView(computers, hasMajority))
+        view()
     }
 
     override fun send(to: String, message: ByteArray): CompletionStage<Void> {
@@ -37,8 +34,8 @@ internal class FakeCluster(override val here: String) : Cluster {
 
     /** Other [computers], each with its session, are in touch now. */
     fun view(vararg others: Pair<String, String>) {
-        computers = mapOf(here to Computer(here, "1")) + others.associate { (name, session) -> name to Computer(name, session) }
-        listener.changed(ClusterView(computers, hasMajority))
+        val computers = (others.toList() + (here to "1")).associate { (name, session) -> name to Computer(name, session) }
+        listener.changed(ClusterView(computers, hasMajority = true))
     }
 
     /** The computer [from] sends [message]. */

@@ -7,6 +7,8 @@ import argo.fleet.node.Offer
 import argo.fleet.node.RosterNews
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.observing.AgentThere
+import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -55,8 +57,15 @@ class FleetAgentsSpec : FunSpec({
 
         test("fails with no_agent if the agent is not there any more, which is also the error of one computer") {
             computer("+!go <- .send(b, tell, x). -!go[error(no_agent),error(receiver_not_found)] <- +failed(both).") {
-                cluster.next().end.completeExceptionally(Refused("there is no agent b on scout1"))
+                cluster.next().end.completeExceptionally(Refused("no_agent", "there is no agent b on scout1"))
                 shouldBelieve("a", "failed(both)[source(self)]")
+            }
+        }
+
+        test("that is refused fails the plan with the error of the refusal") {
+            computer("+!go <- .send(b, tell, x). -!go[error(E),error_msg(M)] <- +failed(E); +told(M).") {
+                cluster.next().end.completeExceptionally(Refused("moved", "a runs on another computer now"))
+                shouldBelieve("a", "failed(moved)[source(self)]", "told(\"a runs on another computer now\")[source(self)]")
             }
         }
 
@@ -95,6 +104,28 @@ class FleetAgentsSpec : FunSpec({
         }
     }
 
+    context("of messages of one action that do not arrive, each that fails no plan is told in the log") {
+        test("whether the action goes on behind them") {
+            computer("+!go <- .send([b,c], tell, x). -!go[error_msg(M)] <- +failed(M).", also = {
+                cluster.view("scout1" to "1", "scout2" to "1")
+                cluster.receives("scout2", whole("c"))
+            }) {
+                cluster.next().end.completeExceptionally(Unreachable("b is lost"))
+                cluster.next().end.completeExceptionally(Unreachable("c is lost"))
+                shouldBelieve("a", "failed(\"b is lost\")[source(self)]")
+                shouldLog("a message to c has not arrived: c is lost")
+            }
+        }
+
+        test("or not") {
+            computer("+!go <- .send([b,nobody], tell, x). -!go[error(E)] <- +failed(E).") {
+                cluster.next().end.completeExceptionally(Unreachable("b is lost"))
+                shouldBelieve("a", "failed(no_agent)[source(self)]")
+                shouldLog("a message to b has not arrived: b is lost")
+            }
+        }
+    }
+
     context("a question to another computer") {
         val program = "+!go <- .send(b, askOne, p(X), A); +got(A). -!go[error(E)] <- +failed(E)."
 
@@ -120,6 +151,24 @@ class FleetAgentsSpec : FunSpec({
                 cluster.next().end.complete(null)
                 cluster.view()
                 shouldBelieve("a", "failed(unreachable)[source(self)]")
+            }
+        }
+
+        test("fails if the asked agent ends before it has answered") {
+            computer(program) {
+                cluster.next().end.complete(null)
+                cluster.receives("scout1", RosterNews(gone = setOf("b")))
+                shouldBelieve("a", "failed(unreachable)[source(self)]")
+            }
+        }
+
+        test("whose time is over ends with that, and no failure of its computer fails it any more") {
+            computer("+!go <- .send(b, askOne, p(X), A, 10); +got(A). -!go <- +failed.") {
+                cluster.next().end.complete(null)
+                shouldBelieve("a", "got(timeout)[source(self)]")
+                cluster.view()
+                cluster.view("scout1" to "1")
+                believed("a") shouldNotContain "failed[source(self)]"
             }
         }
 
@@ -155,15 +204,23 @@ class FleetAgentsSpec : FunSpec({
 
         test("to an agent that is not here, one that cannot be read, and garbage are refused") {
             computer("") {
-                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "nobody", "x")) }
-                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p(")) }
-                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "f(".repeat(100_000))) }
-                shouldThrow<Exception> { cluster.receives("scout1", byteArrayOf(7)) }
+                fun error(act: () -> Unit) = shouldThrow<Refused> { act() }.error
+                error { cluster.receives("scout1", Say("mid2", null, "tell", "b", "nobody", "x")) } shouldBe "no_agent"
+                error { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p(")) } shouldBe "not_readable"
+                error { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "f(".repeat(100_000))) } shouldBe "not_readable"
+                error { cluster.receives("scout1", byteArrayOf(7)) } shouldBe "not_readable"
                 shouldLog("a message of scout1 is refused: it is of format 7")
                 shouldLog("a message of b cannot be read and is refused")
                 cluster.receives("scout1", Say("mid3", null, "tell", "b", "a", "still"))
                 eventually(20.seconds) { believed("a") shouldContain "still[source(b)]" }
             }
+        }
+    }
+
+    test("a message of an agent that the sending computer does not have is refused, and told") {
+        computer("") {
+            shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "late", "a", "x")) }.error shouldBe "not_sender"
+            shouldLog("a message of late is refused: it comes from scout1, which has no such agent")
         }
     }
 
@@ -194,7 +251,7 @@ class FleetAgentsSpec : FunSpec({
             shouldBelieve("a", "done[source(self)]")
             cluster.receives("scout1", Kill("a", "b", 0))
             eventually(20.seconds) { fleet.directory.names shouldNotContain "a" }
-            shouldThrow<Refused> { cluster.receives("scout1", Kill("a", "b", 0)) }
+            shouldThrow<Refused> { cluster.receives("scout1", Kill("a", "b", 0)) }.error shouldBe "no_agent"
         }
     }
 
@@ -277,15 +334,30 @@ class FleetAgentsSpec : FunSpec({
         }
     }
 
+    test("a live view shows the computers, and which agents are where, with the ports of their views") {
+        val a = "a agentArchClass argo.Arch at \"base\"; b [argo_view=8081] agentArchClass argo.Arch at \"scout1\";"
+        OneComputer(a, "a" to "").use { base ->
+            base.cluster.view("scout1" to "1")
+            base.cluster.receives("scout1", whole("c", "b"))
+            base.observed("a") shouldBe listOf(
+                ObservedComputer("base", isHere = true, isOn = true, listOf(AgentThere("a", null))),
+                ObservedComputer("scout1", isHere = false, isOn = true, listOf(AgentThere("b", 8081), AgentThere("c", null))),
+                ObservedComputer("scout2", isHere = false, isOn = false, emptyList()),
+            )
+        }
+    }
+
     test("an agent perceives computers and agents if it asks for that") {
         computer("", options = "[argo_fleet=\"computers,agents\"]") {
             shouldBelieve(
                 "a", "computer(base,on)[source(percept)]", "computer(scout1,on)[source(percept)]", "computer(scout2,off)[source(percept)]",
                 "agent(a,base)[source(percept)]", "agent(b,scout1)[source(percept)]",
             )
-            cluster.view()
-            shouldBelieve("a", "computer(scout1,off)[source(percept)]")
+            cluster.view("rasp-pi" to "1")
+            shouldBelieve("a", "computer(scout1,off)[source(percept)]", "computer(\"rasp-pi\",off)[source(percept)]")
             eventually(20.seconds) { believed("a") shouldNotContain "agent(b,scout1)[source(percept)]" }
+            cluster.receives("rasp-pi", whole("c"))
+            shouldBelieve("a", "computer(\"rasp-pi\",on)[source(percept)]", "agent(c,\"rasp-pi\")[source(percept)]")
         }
     }
 })

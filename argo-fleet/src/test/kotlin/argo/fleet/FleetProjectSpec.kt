@@ -27,6 +27,13 @@ class FleetProjectSpec : FunSpec({
         fleet("Fleet(hosts([localhost]))", "a at \"localhost\";").hosts.getValue("localhost").address.isLoopbackAddress shouldBe true
     }
 
+    test("a name that is no word of AgentSpeak stands in quotes") {
+        val hosts = "host(\"rasp-pi\",\"127.0.0.1:4800\"),\"localhost\",host(\"127.0.0.1:4801\")"
+        val fleet = fleet("Fleet(hosts([$hosts]))", "a at \"rasp-pi\";")
+        fleet.hosts.mapValues { (_, address) -> address.port } shouldBe mapOf("rasp-pi" to 4800, "localhost" to 4711, "host" to 4801)
+        fleet.settings("rasp-pi", null).here shouldBe "rasp-pi"
+    }
+
     test("without hosts a fleet has the project's name, and listens on the loopback interface") {
         val settings = fleet("Fleet").settings("base", null)
         settings.fleet shouldBe "garden"

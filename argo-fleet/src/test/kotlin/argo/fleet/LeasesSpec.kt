@@ -1,14 +1,17 @@
 package argo.fleet
 
+import argo.fleet.cluster.Overloaded
 import argo.fleet.node.Claim
 import argo.fleet.node.FleetMessage
 import argo.fleet.node.Grant
 import argo.fleet.node.MindNews
+import argo.fleet.node.RosterNews
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.delay
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.time.Duration.Companion.seconds
@@ -50,8 +53,43 @@ class LeasesSpec : FunSpec({
             base.cluster.view("scout2" to "1")
             base.shouldBelieve("m", "counted(7)")
             isGranting.set(false)
-            base.shouldLog("m stops here: most computers of the fleet are out of touch")
+            base.shouldLog("m stops here: most computers of the fleet have not confirmed in time")
             eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
+        }
+    }
+
+    test("a computer that cannot start it gives it up, so that the next one runs it") {
+        OneComputer("m missing.asl at \"base, scout1\";").use { base ->
+            val isAble = AtomicBoolean(true)
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
+                if ((one.message as? RosterNews)?.unable == setOf("m")) isAble.set(false)
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            eventually(20.seconds) { isAble.get() shouldBe false }
+            val claims = CopyOnWriteArrayList<FleetMessage>()
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                claims += one.message
+            }
+            delay(1.seconds) // three claims would have been made
+            claims shouldBe emptyList()
+        }
+    }
+
+    test("the mind is told again until all have it") {
+        OneComputer("m at \"base, scout1\";", "m" to "place(north).").use { base ->
+            val minds = CopyOnWriteArrayList<MindNews>()
+            base.cluster.answer = { one ->
+                (one.message as? MindNews)?.let(minds::add)
+                if (one.message is MindNews && minds.size < 3) one.end.completeExceptionally(Overloaded("too much waits"))
+                else one.end.complete(null)
+                (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            eventually(20.seconds) { minds.size shouldBe 4 }
+            base.shouldLog("has not got what m believes, and is told again: too much waits")
         }
     }
 })

@@ -1,6 +1,8 @@
 package argo.fleet
 
+import argo.Arch
 import argo.fleet.node.Fleet
+import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -54,11 +56,14 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
         val described = FleetProject(project)
         project.infrastructure = ClassParameters("Local")
         mas = FleetMas().apply { this.project = project }
-        fleet = Fleet(cluster, described.planned, described.hosts.keys, Logger.getLogger("test"))
+        fleet = Fleet(cluster, described.planned, described.hosts.keys, Logger.getLogger("test"), described.views)
         mas.run(fleet, described.agents, described.hosts.size)
     }
 
     fun believed(agent: String): List<String> = mas.getAg(agent)?.ts?.ag?.bb?.map { "$it" }.orEmpty()
+
+    /** The computers that the live view of [agent] shows. */
+    fun observed(agent: String): List<ObservedComputer> = (mas.getAg(agent).firstAgArch as Arch).observed.computers
 
     /** Waits until [agent] believes all of [beliefs]. */
     suspend fun shouldBelieve(agent: String, vararg beliefs: String) =

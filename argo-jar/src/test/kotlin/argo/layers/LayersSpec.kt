@@ -145,9 +145,9 @@ class LayersSpec : FunSpec({
     }
 
     context("robots that speak ROS") {
-        test("know links and filters, and of ARGO nothing else") {
+        test("know links, filters and the format of bags, and of ARGO nothing else") {
             noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
-                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", *lines)).check(product)
+                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "argo.mcap", *lines)).check(product)
         }
         test("take boards in knowing links, observed agents, the platform, filters and what a tool is") {
             val known = arrayOf(
@@ -171,9 +171,11 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.fleet.node").should()
                 .dependOnClassesThat(productBut("argo.fleet.node", "argo.fleet.cluster").or(packages("jason.."))).check(product)
         }
-        test("know of the rest how messages are written, and what a tool is") {
+        test("know of the rest how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
-                .dependOnClassesThat(productBut("argo.fleet..", "argo.recording.agent", "argo.tools.command", "javino.tcp")).check(product)
+                .dependOnClassesThat(
+                    productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.fleet.cluster").should()

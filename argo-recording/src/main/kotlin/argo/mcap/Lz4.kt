@@ -7,8 +7,8 @@ import java.nio.ByteOrder
  * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md) of independent blocks, without
  * checksums, since a chunk has its own. For one thread.
  *
- * Other programs, such as those with the libraries in C++ and Python, write blocks that refer to earlier blocks. The Java library lz4-java
- * refuses such frames, so it cannot be used here.
+ * Other programs, such as those with the libraries in C++ and Python, write blocks that refer to earlier blocks. Of the libraries of Java,
+ * lz4-java refuses such frames, and aircompressor, which unpacks Zstandard here, knows no frames.
  */
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)

@@ -6,7 +6,7 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 with uncompressed or LZ4 chunks. Of a damaged or cut-off file it reads the whole parts.
+ * Reads a file of MCAP version 0, whose chunks are not compressed, or by LZ4 or Zstandard. Of a damaged or cut-off file it reads the whole parts.
  *
  * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *

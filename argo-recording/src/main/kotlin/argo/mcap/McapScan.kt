@@ -1,6 +1,8 @@
 package argo.mcap
 
+import io.airlift.compress.zstd.ZstdDecompressor
 import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Path
 import java.util.zip.CRC32
 
@@ -13,11 +15,30 @@ internal class MessagePart(private val at: Long, private val length: Long, priva
 internal class Packed(private val compression: String, private val bytes: Long) {
     fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
         "" -> records
-        Lz4.NAME -> {
-            if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes, which is too long")
-            Lz4.decompress(records, bytes.toInt())
-        }
+        Lz4.NAME -> Lz4.decompress(records, length())
+        ZSTD -> unpackedByZstd(records)
         else -> throw McapException("it is a chunk compressed by $compression, which cannot be read here")
+    }
+
+    private fun length(): Int {
+        if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes, which is too long")
+        return bytes.toInt()
+    }
+
+    private fun unpackedByZstd(records: ByteBuffer): ByteBuffer {
+        val packed = ByteArray(records.remaining()).also(records::get)
+        val target = ByteArray(length())
+        val written = try {
+            ZstdDecompressor().decompress(packed, 0, packed.size, target, 0, target.size)
+        } catch (damaged: RuntimeException) { // thrown for damaged data
+            throw McapException("its compressed bytes are damaged: ${damaged.message}")
+        }
+        if (written != target.size) throw McapException("it has $written bytes instead of ${target.size}")
+        return ByteBuffer.wrap(target).order(ByteOrder.LITTLE_ENDIAN)
+    }
+
+    private companion object {
+        const val ZSTD = "zstd"
     }
 }
 

@@ -87,9 +87,20 @@ class DamagedFileSpec : FunSpec({
     }
 
     test("a chunk whose compression is unknown is left out, by name") {
-        val chunk = RecordBytes().record(Op.CHUNK) { u64(0).u64(0).u64(4).u32(0).text("zstd").u64(4).u32(0) }
+        val chunk = RecordBytes().record(Op.CHUNK) { u64(0).u64(0).u64(4).u32(0).text("br").u64(4).u32(0) }
         file.writeBytes(bytes.copyOf(parts[0].bytes.toInt()) + chunk.array().copyOf(chunk.size))
-        read(file).second.first() shouldContain "compressed by zstd"
+        read(file).second.first() shouldContain "compressed by br"
+    }
+
+    test("no changed byte of a bag compressed by Zstandard does harm, or changes a message") {
+        fun messages(bag: Path) = McapReader(bag).use { read -> read.messages().map { it.data.toList() }.toList() }
+        val bag = Path.of("src/test/resources/bags/zstd.mcap")
+        val (original, bagBytes) = messages(bag).toSet() to bag.readBytes()
+        val random = Random(1)
+        for (at in MAGIC.size until bagBytes.size) {
+            file.writeBytes(bagBytes.copyOf().also { it[at] = it[at] xor (1 shl random.nextInt(8)).toByte() })
+            withClue("byte $at changed") { messages(file).forAll { (it in original) shouldBe true } }
+        }
     }
 
     test("an index that one bit has made a message adds none") {

@@ -68,4 +68,17 @@ class IndependentReadersSpec : FunSpec({
                 }
             }
     }
+
+    val writers = installed.resolve("ros/bin/python")
+    val areThere =
+        if (writers.exists()) Enabled.enabled
+        else Enabled.disabled("the writers of messages of ROS 2 are missing: argo-recording/install-readers installs them")
+    test("messages of random types of ROS 2 are read as rosbags and Cyclone DDS write them")
+        .config(enabledOrReasonIf = { areThere }, blockingTest = true) {
+            val command = ProcessBuilder("$writers", "$scripts/cdr.py", "1000", "300")
+            val process = command.redirectError(ProcessBuilder.Redirect.INHERIT).start()
+            val lines = process.inputStream.bufferedReader().readLines()
+            lines.size shouldBe 300
+            checkCdr(lines)
+        }
 })

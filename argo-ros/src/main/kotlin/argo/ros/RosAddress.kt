@@ -10,9 +10,9 @@ import java.net.URISyntaxException
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {
+        const val USUAL_MAPPING = "robot"
         private const val USUAL_PORT = 9090
         private const val ENCRYPTED_PORT = 443
-        private const val USUAL_MAPPING = "robot"
         private const val MAX_PORT = 65_535
         private val FORM =
             Regex("(ros|wss):(?://)?(\\[[0-9A-Fa-f:.%]+]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?(/[A-Za-z0-9._~%/-]*)?(?:#(.*))?")

@@ -1,12 +1,12 @@
 package argo.ros
 
+import argo.links.Answer
 import argo.links.BoardLink
 import argo.links.BoardMessage
 import argo.links.SentCommand
 import argo.links.Wish
 import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
-import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
 import argo.ros.bridge.FrameTree
 import argo.ros.bridge.NeverSent
@@ -26,7 +26,6 @@ import argo.ros.bridge.part
 import argo.ros.bridge.rosNanos
 import argo.ros.bridge.subscriptions
 import argo.ros.bridge.text
-import argo.ros.mapping.Credentials
 import argo.ros.mapping.Frames
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
@@ -40,7 +39,6 @@ import javino.PortTimeoutException
 import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
-import java.net.URI
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
@@ -246,9 +244,9 @@ internal class RosLink private constructor(
 
     override fun send(text: String, options: SendOptions): SentCommand = commands.send(text, options)
 
-    override fun sendAndAwait(text: String, options: SendOptions) {
+    override fun sendAndAwait(text: String, options: SendOptions): Answer? {
         try {
-            send(text, options).outcome.get()
+            return send(text, options).outcome.get() as? Answer
         } catch (failed: ExecutionException) {
             throw failed.cause ?: failed
         } catch (_: InterruptedException) {
@@ -287,20 +285,11 @@ internal class RosLink private constructor(
         private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
         /**
-         * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.
+         * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against their types as far as the bridge
+         * knows them. [log] takes what the user is told, on several threads.
          *
          * @throws PortException if there is no bridge, or a field does not exist
          */
-        fun open(
-            port: String,
-            address: URI,
-            mapping: Mapping,
-            isPaced: Boolean,
-            clock: LineClock,
-            credentials: Credentials = Credentials(),
-        ): RosLink = over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, credentials) }
-
-        /** Like [open], but over the connection that [connect] makes. [log] takes what the user is told, on several threads. */
         fun over(
             port: String,
             mapping: Mapping,
@@ -333,6 +322,7 @@ internal class RosLink private constructor(
         commands.announcements().forEach { send(Outgoing(it)) }
         time.ask()
         graph.check()
+        mapping.doubts.forEach(warn)
         try {
             types.check(CHECKING_MS)
         } catch (_: InterruptedException) {

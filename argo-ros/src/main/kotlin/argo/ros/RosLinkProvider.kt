@@ -7,27 +7,28 @@ import argo.ros.bridge.PlayedBridge
 import argo.ros.bridge.operationIn
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.MappingException
-import argo.ros.mapping.findCredentials
 import argo.ros.mapping.findMapping
 import javino.LineClock
 import javino.PortFaultException
+import java.nio.file.Path
 
 /** Opens `ros://host:9090`: a ROS robot behind a bridge of the rosbridge protocol, version 2. */
 open class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 
     override fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink {
-        val address = RosAddress.of(port)
-        val mapping = read(port) { findMapping(address.mapping) }
-        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findCredentials(address.mapping) })
+        val robot = RobotPort.of(port)
+        val mapping = read(port) { findMapping(robot.mapping) }
+        return RosLink.over(port, mapping, isPaced, clock) { robot.connect(it, clock) }
     }
 
-    override fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (String, String) -> Unit): PlayedBoard {
+    override fun play(port: String, isPaced: Boolean, clock: LineClock, recording: Path?, heard: (String, String) -> Unit): PlayedBoard {
         lateinit var bridge: PlayedBridge
-        val mapping = read(port) { findMapping(RosAddress.of(port).mapping) }
+        val mapping = read(port) { findMapping(RobotPort.of(port).mapping) }
+        val bag = recording?.let { RobotPort.bagIn(port, "$it") }
         val answering = mapping.commands.filter { it.kind != CommandRule.Kind.TOPIC }.map { it.target }.toSet()
         val link = RosLink.over(port, mapping, isPaced, clock) { listener ->
-            PlayedBridge(listener, heard).also { bridge = it }
+            PlayedBridge(listener, clock, bag, heard = heard).also { bridge = it }
         }
         return object : PlayedBoard(link) {
             override fun says(name: String, message: String) {
@@ -49,4 +50,11 @@ open class RosLinkProvider : BoardLinkProvider {
 /** Opens `wss://host/path`: the same, over an encrypted connection. */
 class EncryptedRosLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "wss"
+}
+
+/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, by the mapping of that. */
+class BagLinkProvider : RosLinkProvider() {
+    override val scheme: String get() = "replay"
+
+    override fun opens(port: String): Boolean = RobotPort.isBag(port)
 }

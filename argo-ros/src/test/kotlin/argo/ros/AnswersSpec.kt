@@ -42,6 +42,18 @@ class AnswersSpec : FunSpec({
         }
     }
 
+    test("an answer is had with argo_sensing=in_cycle too") {
+        val program = """!start. +!start <- argo.port("$PORT"); .wait(100); argo.act(add(1,2), [answer(S)]); +sum(S)."""
+        agentOf(program) {
+            board(PORT).playsItsMapping()
+            options("argo_sensing" to "in_cycle")
+        }.use {
+            it.shouldBelieve("port(\"$PORT\",on)")
+            it.board.publishes("/add", """{"sum": 3}""")
+            it.shouldBelieve("sum(3)")
+        }
+    }
+
     context("an answer that cannot be had fails the plan with the reason:") {
         listOf(
             Triple("argo.act(go, [answer(R)])", "no_answer", "has no answer to \"go\", which was not sent"),
@@ -131,6 +143,31 @@ class AnswersSpec : FunSpec({
                         bridge.publish("/count", """{"data": 1}""")
                         bridge.heard("cancel_action_goal").map { it.text("id") } shouldBe
                             listOf(bridge.heard("send_action_goal")[1].text("id"))
+                    }
+                }
+            }
+        }
+    }
+
+    context("the goal of an intention goes on or is cancelled:") {
+        listOf("drop_desire(go)" to 1, "fail_goal(go)" to 1, "suspend(go)" to 0).forEach { (action, cancelled) ->
+            test(action) {
+                val program = """
+                    !start.
+                    +!start <- argo.port("BRIDGE#answers"); argo.percepts(open); argo.limit(20); !go.
+                    +!go <- argo.act(turn(1)).
+                    +count(1) <- .$action; +done.
+                """
+                TestBridge().use { bridge ->
+                    Mas(program.replace("BRIDGE", bridge.port)).use { mas ->
+                        eventually(LIMIT) { bridge.heard("send_action_goal").size shouldBe 1 }
+                        eventually(LIMIT) {
+                            bridge.publish("/count", """{"data": 1}""")
+                            ("done" in mas.beliefs()) shouldBe true
+                        }
+                        bridge.publish("/count", """{"data": 2}""") // behind it, a cancellation would have come
+                        mas.awaitBelief("count(2)")
+                        bridge.heard("cancel_action_goal").size shouldBe cancelled
                     }
                 }
             }

@@ -7,10 +7,12 @@ import argo.ros.mapping.MappingException
 import argo.ros.mapping.mappingOf
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.inspectors.forAtLeastOne
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.string.shouldContain
 import javino.LineClock
 import javino.PortException
+import javino.PortTimeoutException
 import javino.link.SendOptions
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
@@ -68,7 +70,7 @@ class MistakesSpec : FunSpec({
         val (section, rule) = line.split(": ", limit = 2)
         LoggedWarnings(RosLink::class.java).use { log ->
             try {
-                val mapping = mappingOf("$section:\n  - $rule", "robot.ros.yaml")
+                val mapping = mappingOf(rule.split(" & ").joinToString("\n", "$section:\n") { "  - $it" }, "robot.ros.yaml")
                 val clock = LineClock { System.nanoTime() + ahead.get() }
                 RosLink.open("robot", URI("ws://127.0.0.1:${bridge.number}/"), mapping, true, clock).use { link ->
                     link.wants(Wish(true, 10, null))
@@ -80,7 +82,11 @@ class MistakesSpec : FunSpec({
                     repeat(ROUNDS) { round ->
                         if (round == ROUNDS / 2) ahead.addAndGet(2 * SilentTopics.LIMIT_NANOS)
                         topics.forEach { bridge.publish(it, TOPICS[it]?.second ?: return@forEach) }
-                        link.listen(LISTENING_MS)
+                        try {
+                            link.listen(LISTENING_MS)
+                        } catch (_: PortTimeoutException) {
+                            // a slow computer
+                        }
                     }
                     log.messages + failures
                 }
@@ -102,7 +108,9 @@ class MistakesSpec : FunSpec({
 
     context("a mistake is told:") {
         val lines = checkNotNull(MistakesSpec::class.java.getResource("/mistakes.txt")).readText().lines()
-        lines.filter { it.isNotBlank() && !it.startsWith("#") }.forEach { line -> test(line) { told(line).shouldNotBeEmpty() } }
+        lines.filter { it.isNotBlank() && !it.startsWith("#") }.map { it.split(" => ") }.forEach { (line, words) ->
+            test(line) { eventually(LIMIT) { told(line).forAtLeastOne { it shouldContain words } } }
+        }
     }
 })
 

@@ -1,14 +1,19 @@
 package argo.ros
 
 import argo.filters.GroundTerm
+import argo.mcap.McapWriter
 import argo.ros.bridge.operationIn
 import argo.testkit.agentOf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempfile
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.channels.FileChannel
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
 import kotlin.time.Duration.Companion.seconds
 
 private const val PORT = "ros://robot:9090"
@@ -60,6 +65,46 @@ class PlayedRobotSpec : FunSpec({
             robot.board.publishes("/sonar/front", """{"range": 0.3}""")
             robot.shouldBelieve("dist(f,30)")
         }
+    }
+
+    val bags = Path.of("../argo-recording/src/test/resources/bags")
+    val listener = """
+        !start.
+        +!start <- argo.port("$PORT#bag"); argo.limit(50); argo.percepts(open).
+        +dist(Cm) : Cm < 50 <- argo.act(stop).
+        +said(W) <- argo.act(say(W)).
+    """.trimIndent()
+
+    for (bag in listOf("rosbags", "zstd", "lz4")) test("the bag $bag drives an agent in virtual time, twice alike") {
+        fun drive() = agentOf(listener) { board("$PORT#bag").replays(bags.resolve("$bag.mcap")) }.use { robot ->
+            robot.shouldSend("say(\"go\")").after(2.seconds)
+            robot.shouldBelieve("dist(10)")
+            robot.board.arrivals.map { "$it" } to robot.board.published
+        }
+        val (arrivals, published) = drive()
+        published.distinct() shouldBe listOf("""/say {"data":"go"}""", """/say {"data":"stop ☃"}""", "/stop {}")
+        drive() shouldBe (arrivals to published)
+    }
+
+    test("of a bag it is told what cannot be read, and that it is over; it is not begun before its agent perceives") {
+        LoggedWarnings(RosLink::class.java).use { log ->
+            agentOf(listener.replace("argo.percepts(open)", ".wait(5000); argo.percepts(open)")) {
+                board("$PORT#bag").replays(bags.resolve("odd.mcap"))
+            }.use { robot ->
+                robot.after(3.seconds).shouldNotSend("say(\"a\")")
+                robot.shouldSend("say(\"a\")", within = 3.seconds).shouldSend("say(\"b\")", within = 3.seconds).after(2.seconds)
+            }
+            log.messages.map { it.substringAfter("the bridge reports: ") }.filter { "the bag" in it || "left out" in it } shouldBe listOf(
+                "a message of /said is left out: a message of std_msgs/String ends within a field", "the bag is over",
+            )
+        }
+    }
+
+    test("a file that is no bag of ROS 2 fails argo.port with the reason") {
+        val own = tempfile(suffix = ".mcap").toPath()
+        McapWriter(FileChannel.open(own, StandardOpenOption.WRITE)).use { it.channel("/robot/cycle", it.schema("argo.Cycle", "{}")) }
+        val program = """!start. +!start <- argo.port("$PORT#bag"). -!start[error(E),error_msg(M)] <- .print(M); +why(E)."""
+        agentOf(program) { board("$PORT#bag").replays(own) }.use { it.shouldBelieve("why(port_failed)") }
     }
 
     test("a test that misspells is refused") {

@@ -44,6 +44,13 @@ class RosCheckSpec : FunSpec({
         status shouldBe 0
         out shouldContain "robot.ros.yaml: 2 percepts, 1 command"
         err.shouldBeEmpty()
+        check("percepts:\n  - /a sensor_msgs/Range -> d(range)\n  - /b sensor_msgs/Range -> d(range)").let { (failed, _, problems) ->
+            failed shouldBe 1
+            problems shouldContain "lines 2 and 3 give percepts d/1 that an agent cannot tell apart"
+        }
+        val missing = StringWriter()
+        CommandLine(RosCheckCommand()).setErr(PrintWriter(missing, true)).execute("nothing.ros.yaml") shouldBe 1
+        "$missing" shouldBe "nothing.ros.yaml:1:1: there is no such file\n"
         check("percepts:\n  - /a std_msgs/Bool -> A\n  - b").let { (failed, _, problems) ->
             failed shouldBe 1
             problems.trim().lines().size shouldBe 2

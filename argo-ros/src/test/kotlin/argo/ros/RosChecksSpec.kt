@@ -36,7 +36,9 @@ private val TYPES = mapOf(
     "std_msgs/Float32" to "data float32", "std_msgs/Empty" to "",
     "geometry_msgs/Twist" to "linear geometry_msgs/Vector3, angular geometry_msgs/Vector3",
     "geometry_msgs/Vector3" to "x float64, y float64",
-    "geometry_msgs/Pose" to "position geometry_msgs/Vector3",
+    "geometry_msgs/Pose" to "position geometry_msgs/Vector3, orientation geometry_msgs/Quaternion",
+    "geometry_msgs/Quaternion" to "x float64, y float64, z float64, w float64",
+    "geometry_msgs/PoseStamped" to "header std_msgs/Header, pose geometry_msgs/Pose",
     "my_msgs/Arm" to "joints float64[3], names string[], raw uint8[], at time, on bool, poses geometry_msgs/Pose[]",
     "my_msgs/Mode" to "mode uint8",
     "sensor_msgs/Range" to "header std_msgs/Header, min_range float32, max_range float32, range float32",
@@ -80,7 +82,6 @@ private val COMMANDS = """
       - level(N) -> /level std_msgs/UInt8(data = N)
       - id(N) -> /id std_msgs/Int64
       - part(N) -> /part std_msgs/Float32
-      - move(V) -> /cmd_vel geometry_msgs/Twist(linear = V)
       - arm(J) -> /arm my_msgs/Arm(joints = J)
       - names(L) -> /arm my_msgs/Arm(names = L)
       - raw(L) -> /arm my_msgs/Arm(raw = L)
@@ -136,7 +137,6 @@ class RosChecksSpec : FunSpec({
             "level(fast)" to "data of std_msgs/UInt8 is a uint8: \"fast\" is no number",
             "id(1e19)" to "data of std_msgs/Int64 is a int64: 10000000000000000000 is not within -9223372036854775808 to",
             "part(1e39)" to "data of std_msgs/Float32 is a float32: 1.0E39 is beyond its range",
-            "move(1)" to "linear of geometry_msgs/Twist is a geometry_msgs/Vector3: 1 is no message; give its fields a value, x, y",
             "arm([1,2])" to "joints of my_msgs/Arm is a float64[3]: the list has 2 items",
             "arm([1,2,b])" to "joints of my_msgs/Arm is a float64[3]: \"b\" is no number",
             "arm(1)" to "joints of my_msgs/Arm is a float64[3]: 1 is no list",
@@ -192,6 +192,9 @@ class RosChecksSpec : FunSpec({
         fun refusal(mapping: String) = shouldThrow<PortFaultException> { open(mapping) }.message.orEmpty()
         refusal("commands:\n  - go(V) -> /cmd_vel geometry_msgs/Twist(linear.q = V)") shouldContain
             "robot.ros.yaml:2:43: geometry_msgs/Vector3 has no field q; it has x, y"
+        refusal("commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear = V)") shouldContain
+            "2:45: linear of geometry_msgs/Twist is a geometry_msgs/Vector3, and no argument is a message; give its fields a value, x, y"
+        refusal("percepts:\n  - /a my_msgs/Arm -> joint(joints(0))") shouldContain "2:29: joints is a field of my_msgs/Arm, and no literal"
         refusal("commands:\n  - go -> /level std_msgs/UInt8(data = -1)") shouldContain
             "robot.ros.yaml:2:33: data of std_msgs/UInt8 is a uint8: -1 is not within 0 to 255"
         refusal("commands:\n  - go -> /level std_msgs/Empty(data = 1)") shouldContain "std_msgs/Empty has no field data"
@@ -210,6 +213,22 @@ class RosChecksSpec : FunSpec({
         refusal("percepts:\n  - /m my_msgs/Mode -> auto if mode == ATUO") shouldContain
             "2:40: my_msgs/Mode has no field ATUO; it has mode, MANUAL, AUTO"
         open("percepts:\n  - /a my_msgs/Arm -> at(poses[0].position.x, joints[-1], at.secs, max(poses[:].position.x))").close()
+    }
+
+    test("fields of poses that a command leaves empty, and robots need, are told") {
+        describe()
+        fun told(fields: String) = LoggedWarnings(RosLink::class.java).use { log ->
+            open("commands:\n  - goto(X) -> /goal geometry_msgs/PoseStamped($fields)").close()
+            log.messages.map { it.substringAfter("line 2: ") }
+        }
+        told("pose.position.x = X") shouldBe listOf(
+            "header.frame_id of geometry_msgs/PoseStamped is left empty, so that its frame is not known; write header.frame_id = 'map'",
+            "pose.orientation of geometry_msgs/PoseStamped is left as a quaternion of zeros, which is no rotation; for none, write " +
+                "pose.orientation.w = 1",
+        )
+        told("pose.position.x = X, header.frame_id = 'map', pose.orientation.w = 1") shouldBe emptyList()
+        open("commands:\n  - go(X) -> /cmd_vel geometry_msgs/Twist(linear.x = X)").close()
+        log.messages.filter { "is left" in it && "Twist" in it } shouldBe emptyList()
     }
 
     test("constants of a type are known by its description") {

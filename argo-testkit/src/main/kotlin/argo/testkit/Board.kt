@@ -4,6 +4,7 @@ import argo.filters.matching.perceptsOf
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.PlayedBoard
+import argo.mcap.McapReader
 import argo.perception.whyLeftOut
 import javino.Frame
 import javino.LineClock
@@ -40,6 +41,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private var elsewhere: ((String, LineSettings, LineClock) -> Transport)? = null
     private var line: MemoryLine? = null
     private var played: PlayedBoard? = null
+    private var bag: Path? = null
     private val taking = ArrayList<String>()
     private val threads = ArrayList<Thread>()
     private var answer: (Set<String>) -> String? = { "" }
@@ -139,8 +141,13 @@ class Board internal constructor(private val time: VirtualTime) {
         program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += Arrival(it, now) }
     }
 
-    /** The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. */
-    fun replays(file: Path): Board = replays(LineRecording.read(file))
+    /**
+     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If that is a bag of ROS 2 in the MCAP
+     * format, the board [plays its mapping][playsItsMapping], and publishes the messages of the bag at their times, from when its agent
+     * first perceives on.
+     */
+    fun replays(file: Path): Board =
+        if (McapReader.isMcap(file)) playsItsMapping().apply { bag = file } else replays(LineRecording.read(file))
 
     /**
      * The board's port, when opened next, leads to the line that [open] opens, such as the line of a simulated sketch. [open] gets the
@@ -309,7 +316,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** Opens the board's port as the robot of the port's name. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
-        val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }
+        val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time, bag) { name, message -> taking += "$name $message" }
             ?: throw NoSuchPortException(port, "port $port has no mapping to play; for ros:// the library argo-ros is needed")
         played = opened
         return NotedLink(opened.link) { replayed += Arrival(it, now) }

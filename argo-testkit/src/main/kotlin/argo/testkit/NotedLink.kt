@@ -1,5 +1,6 @@
 package argo.testkit
 
+import argo.links.Answer
 import argo.links.BoardLink
 import argo.links.SentCommand
 import javino.link.SendOptions
@@ -10,8 +11,8 @@ internal class NotedLink(private val link: BoardLink, private val note: (String)
         return link.send(text, options)
     }
 
-    override fun sendAndAwait(text: String, options: SendOptions) {
+    override fun sendAndAwait(text: String, options: SendOptions): Answer? {
         note(text)
-        link.sendAndAwait(text, options)
+        return link.sendAndAwait(text, options)
     }
 }

@@ -4,6 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.matching.warnings
 import argo.observing.EndedReflex
 import argo.observing.ObservedAgent
+import argo.observing.ObservedComputer
 import argo.observing.ObservedPort
 import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
@@ -31,6 +32,7 @@ internal class StateComposer(
     private var coursesNanos: Long? = null
     private var shownPicture: Picture? = null
     private var shownRules: List<WatchedRule> = emptyList()
+    private var shownComputers: List<ObservedComputer> = emptyList()
 
     @Volatile
     var picture: () -> Picture? = { null }
@@ -39,7 +41,7 @@ internal class StateComposer(
 
     /** Returns true if the page would differ from the last [state]. Asks for the project's picture, which may change at any time. */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
-        agent.criticalRules() != shownRules || tabs() != shownTabs
+        agent.criticalRules() != shownRules || tabs() != shownTabs || agent.computers != shownComputers
 
     /** Takes in the last message of each board while nobody watches: the courses of numbers then have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
@@ -69,6 +71,7 @@ internal class StateComposer(
         shownTabs = tabs()
         shownPicture = currentPicture()
         shownRules = agent.criticalRules()
+        shownComputers = agent.computers
         val recorded = record.take(now)
         val ports = agent.ports()
         val perceived = ports.count { it.isPerceived }
@@ -95,7 +98,13 @@ internal class StateComposer(
             courses = if (isFull || isCourseDue(now)) rows.courses(now).also { coursesNanos = now } else null,
             agents = shownTabs.first,
             moreAgents = shownTabs.second,
+            computers = shownComputers.map(::computerState),
         )
+    }
+
+    private fun computerState(computer: ObservedComputer): ComputerState {
+        val shown = computer.agents.take(MAX_AGENTS).map { AgentState(it.name, it.viewPort) }
+        return ComputerState(computer.name, computer.isHere, computer.isOn, shown, computer.agents.size - shown.size)
     }
 
     private fun isCourseDue(now: Long) = coursesNanos.let { it == null || now - it >= COURSES_NANOS }
@@ -147,6 +156,7 @@ internal class StateComposer(
 
     private companion object {
         const val MAX_RULES = 50
+        const val MAX_AGENTS = 50
         val COURSES_NANOS: Long = TimeUnit.SECONDS.toNanos(1)
     }
 }

@@ -12,6 +12,7 @@ import kotlinx.serialization.Serializable
  * @property moreCritical the number of critical rules left out of [critical]
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]
+ * @property computers the computers of the system; empty: the system is on one computer
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -37,7 +38,25 @@ internal data class ViewState(
     val courses: Map<String, List<List<Double?>>>?,
     val agents: List<AgentTab>,
     val moreAgents: Int,
+    val computers: List<ComputerState>,
 )
+
+/**
+ * A computer of the system.
+ *
+ * @property agents the first of its agents
+ * @property more the number of its other agents
+ */
+@Serializable
+internal data class ComputerState(val name: String, val here: Boolean, val on: Boolean, val agents: List<AgentState>, val more: Int)
+
+/**
+ * An agent on a computer.
+ *
+ * @property viewPort the port of the agent's live view on that computer; null: there is no view, or its port is not fixed
+ */
+@Serializable
+internal data class AgentState(val name: String, val viewPort: Int?)
 
 @Serializable
 internal data class FilterState(val name: String, val words: String)

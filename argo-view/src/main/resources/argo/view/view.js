@@ -340,6 +340,29 @@ function showAgents({ agent, agents, moreAgents }) {
   });
 }
 
+/** Returns a link to the view of an agent of this computer, or the name of another agent with the way to its view. */
+function agentThere({ name, viewPort }, computer) {
+  const isNear = computer.here && viewPort;
+  const made = element(isNear ? 'a' : 'span');
+  text(made, name);
+  if (isNear) made.href = `//${location.hostname}:${viewPort}/${encodeURIComponent(name)}/`;
+  else if (viewPort) made.title = `Its live view is at port ${viewPort} of ${computer.name}: ssh -L ${viewPort}:127.0.0.1:${viewPort} ${computer.name}`;
+  return made;
+}
+
+function showComputers({ computers }) {
+  $('fleet').hidden = !computers.length;
+  rows($('computers'), computers, ({ name }) => name, () => row(), (line, computer) => {
+    const { name, here, on, agents, more } = computer;
+    fill(line, here ? `${name}, this one` : name, on ? 'on' : 'off', on ? 'good' : 'bad', '', line.children[3].textContent);
+    const key = JSON.stringify(computer);
+    if (line.dataset.shown === key) return;
+    line.dataset.shown = key;
+    const parts = agents.map(agent => agentThere(agent, computer)).concat(more ? [document.createTextNode(`${more} more`)] : []);
+    line.children[3].replaceChildren(...parts.flatMap((part, i) => i ? [', ', part] : [part]));
+  });
+}
+
 function showHead(shown) {
   text($('agent'), shown.agent);
   const title = `${shown.agent} · ARGO`;
@@ -391,6 +414,7 @@ function show() {
   showIntentions(shown);
   showPrinted(shown, since);
   showAgents(shown);
+  showComputers(shown);
 }
 
 // --- requests to the agent ---

@@ -106,6 +106,31 @@ class PageSpec : FunSpec({
             }
         }
 
+    test("the computers of a fleet are shown with their agents, and links to the views of this one").config(
+        tags = thorough, enabledOrReasonIf = browser,
+    ) {
+        ViewedMas().use { mas ->
+            mas.agent("bob", "likes(tea).")
+            chromium.show(mas.viewOf("bob")) {
+                await { text("#agent") == "bob" }
+                run<Any?>(
+                    """
+                    state.computers = [
+                      { name: 'base', here: true, on: true, more: 3,
+                        agents: [{ name: 'bob', viewPort: 8080 }, { name: 'eve', viewPort: null }] },
+                      { name: 'scout1', here: false, on: false, agents: [], more: 0 },
+                    ];
+                    document.getElementById('freeze').click();
+                    """,
+                )
+                await { texts("#computers .chip") == listOf("on", "off") }
+                texts("#computers .text") shouldBe listOf("base, this one", "scout1")
+                texts("#computers .detail") shouldBe listOf("bob, eve, 3 more", "")
+                run<String>("return document.querySelector('#computers a').pathname") shouldBe "/bob/"
+            }
+        }
+    }
+
     test("units and ranges that the board describes are shown, and a percept that is not as described is marked").config(
         tags = thorough, enabledOrReasonIf = browser,
     ) {

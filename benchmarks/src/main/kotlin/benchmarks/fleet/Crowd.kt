@@ -2,6 +2,7 @@ package benchmarks.fleet
 
 import benchmarks.figures
 import java.io.File
+import kotlin.io.path.writeText
 
 private const val COMPUTERS = 50
 private const val AGENTS = 20
@@ -10,14 +11,17 @@ private const val MAX_SHARE = 0.1
 private const val PATIENCE_S = 300
 private const val IDLE_S = 30
 
+/** The time between the starts of two processes: two processors start about two in a second. */
+internal const val PACE_MS = 500L
+
 /** Measures how long fifty computers need until each knows all thousand agents, and the cost of these computers when idle. */
 internal fun crowd(): Boolean {
     val names = List(COMPUTERS) { "computer${it + 1}" }
     val agents = names.joinToString(" ") { "watcher_$it watcher.asl at \"$it\"; member_${it}_ member.asl #${AGENTS - 1} at \"$it\";" }
     return Project("MAS bench { infrastructure: ${Project.fleetOf(names)} agents: $agents }", listOf("watcher", "member")).use { project ->
+        val options = sharing(project)
         val begin = System.nanoTime()
-        val options = listOf("-Xmx128m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xshare:auto")
-        val processes = names.map { project.startComputer(it, options) }
+        val processes = names.map { name -> project.startComputer(name, options).also { Thread.sleep(PACE_MS) } }
         project.await(PATIENCE_S, "that all know ${COMPUTERS * AGENTS} agents") { project.noted(NAMES).size == COMPUTERS }
         val seconds = (System.nanoTime() - begin) / 1e9
         val isEqual = project.noted(NAMES).map { it[1] }.distinct().size == 1
@@ -32,6 +36,20 @@ internal fun crowd(): Boolean {
         )
         isEqual && seconds <= MAX_START_S && share <= MAX_SHARE
     }
+}
+
+/**
+ * Makes an archive of the classes that a computer of a fleet loads. Returns the options of Java machines that use it, with little memory
+ * each and compiled quickly, as for many programs on one computer.
+ */
+private fun sharing(project: Project): List<String> {
+    val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")
+    project.packClasses()
+    project.file("once.mas2j").writeText("MAS once { infrastructure: ${Project.fleetOf(listOf("once"))} agents: once at \"once\"; }")
+    project.file("once.asl").writeText("!end. +!end <- .wait(2000); .stopMAS(0).")
+    val archive = project.file("classes.jsa")
+    check(project.startComputer("once", small + "-XX:ArchiveClassesAtExit=$archive", "once.mas2j").waitFor() == 0) { project.printed() }
+    return small + "-XX:SharedArchiveFile=$archive"
 }
 
 /** The processor time of a process until now, in the kernel's ticks. */

@@ -51,7 +51,10 @@ private fun inNamespaces(what: String, count: Int, trial: (Trial, Namespaces, Li
     val names = names(count)
     return Namespaces(names).use { network ->
         Trial(names, network).use { running ->
-            names.forEach(running::start)
+            names.forEach {
+                running.start(it)
+                if (count > MANY) Thread.sleep(PACE_MS)
+            }
             running.awaitAll()
             trial(running, network, names)
         }

@@ -3,6 +3,7 @@ package benchmarks.fleet
 import java.io.File
 import java.net.ServerSocket
 import java.nio.file.Path
+import java.util.spi.ToolProvider
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
@@ -17,7 +18,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     private val processes = mutableListOf<Process>()
 
     init {
-        file("bench.mas2j").writeText(mas2j)
+        file(MAS2J).writeText(mas2j)
         for (name in agents.map { "$it.asl" } + listOf("logging.properties", "jason.properties")) {
             file(name).writeText(Project::class.java.getResource("/fleet/$name")!!.readText())
         }
@@ -28,16 +29,27 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     /** What all processes have printed. */
     fun printed(): String = file(OUT).toFile().readText()
 
+    private var classPath = System.getProperty("java.class.path")
+
+    /** Packs the folders of the class path into jars, since an archive that processes share holds only classes of jars. */
+    fun packClasses() {
+        val jar = ToolProvider.findFirst("jar").orElseThrow()
+        classPath = classPath.split(File.pathSeparator).mapIndexed { place, it ->
+            if (!File(it).isDirectory) return@mapIndexed it
+            file("$place.jar").toString().also { packed -> jar.run(System.out, System.err, "--create", "--file", packed, "-C", it, ".") }
+        }.joinToString(File.pathSeparator)
+    }
+
     /** Starts [program], a main class and its arguments, in a Java machine with [options]. */
     fun start(program: List<String>, options: List<String> = emptyList()): Process {
         val java = listOf(File(System.getProperty("java.home"), "bin/java").path) + options
-        return ProcessBuilder(java + listOf("-cp", System.getProperty("java.class.path")) + program).directory(folder.toFile())
+        return ProcessBuilder(java + listOf("-cp", classPath) + program).directory(folder.toFile())
             .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.appendTo(file(OUT).toFile())).start().also { processes += it }
     }
 
     /** Starts the computer [name] of the fleet. */
-    fun startComputer(name: String, options: List<String> = emptyList()): Process =
-        start(listOf("argo.fleet.MainKt", "bench.mas2j", "--at", name), options)
+    fun startComputer(name: String, options: List<String> = emptyList(), mas2j: String = MAS2J): Process =
+        start(listOf("argo.fleet.MainKt", mas2j, "--at", name), options)
 
     /** Returns the lines of a file that agents write, as numbers; empty: there is no such file yet. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
@@ -59,6 +71,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     companion object {
         private const val OUT = "out.txt"
+        private const val MAS2J = "bench.mas2j"
 
         /** Below the ports that the system gives to outgoing connections: such a port may be taken before the fleet uses it. */
         private const val FIRST_PORT = 21_000

@@ -53,8 +53,8 @@ private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
 /** The factors in the order of the analysis: L, I, F as A, B, C. */
 internal val FACTORS = listOf("L", "I", "F")
 
-/** Names [source]: `L×F`. */
-internal fun words(source: Source): String = source.factors.joinToString("×") { FACTORS[it] }
+/** Names [source] of these three [factors]: `L×F`. */
+internal fun words(source: Source, factors: List<String> = FACTORS): String = source.factors.joinToString("×") { factors[it] }
 
 /** Analyses [response] in the runs of [plan] under [condition]; null if some of them are missing or have failed. */
 internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {

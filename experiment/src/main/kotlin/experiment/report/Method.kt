@@ -1,13 +1,14 @@
 package experiment.report
 
-import experiment.Campaign
 import experiment.Condition
 import experiment.Finished
+import experiment.MAX_TRIES
 import experiment.RealLaboratory
 import experiment.Settings
 import experiment.Trial
 import experiment.View
 import experiment.exchangeNanos
+import experiment.isLate
 import experiment.maxLateMs
 import samples.collision.Course
 import samples.collision.Sensors
@@ -28,8 +29,11 @@ internal class Provenance(val build: String, val at: Instant, val machine: Strin
  * report.
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
-    ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
-        .joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
+    method((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
+
+/** Lists the parts of a method, each with its description in HTML. */
+internal fun method(parts: List<Pair<String, String>>): String =
+    parts.joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
 
 private val AGENT = "Agent" to "<code>experiment/agent/robot.asl</code>, the one of Figure 7 of the paper, with these differences: " +
     "port, interval, limit and filter are beliefs; it believes that it has stopped; for light of at most 100 it sends " +
@@ -88,7 +92,7 @@ internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +
         "(${limits(late)}), by ${whole(late.maxOf { it.result.lateMs })} ms at most, although each of them was made " +
-        "${Campaign.MAX_TRIES} times. Their times can be wrong by as much, and on an idle machine they may end differently. " +
+        "${MAX_TRIES} times. Their times can be wrong by as much, and on an idle machine they may end differently. " +
         "They are hollow in the figures, the tables of times count them as late, " +
         (if (runs.any { it.trial.isScaled }) "the table of other lines has an asterisk behind them, " else "") +
         "and in <code>runs.csv</code> their <code>late_ms</code> exceeds their <code>late_limit_ms</code>.</p>\n" +
@@ -101,7 +105,7 @@ internal fun lateness(runs: List<Finished>): String {
     val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
     return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +
         "${late.size} runs ${one(median(late))} ms. A run with a delay above a third of an exchange in its condition (${limits(runs)}) " +
-        "was repeated, until it was made ${Campaign.MAX_TRIES} times; ${runs.count { it.isLate }} of the counted runs still have one."
+        "was repeated, until it was made ${MAX_TRIES} times; ${runs.count { it.isLate }} of the counted runs still have one."
 }
 
 private fun exchangeMs(condition: Condition) =

@@ -9,6 +9,7 @@ import experiment.analysis.Factorial
 import experiment.analysis.Published
 import experiment.analysis.Source
 import experiment.analysis.words
+import experiment.isLate
 import org.apache.batik.transcoder.TranscoderInput
 import org.apache.batik.transcoder.TranscoderOutput
 import org.apache.batik.transcoder.image.PNGTranscoder
@@ -76,7 +77,8 @@ internal fun png(svg: String, scale: Float = 2f): ByteArray {
     return out.toByteArray()
 }
 
-private fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this + ggsize(width, height) + themeMinimal() + theme(
+/** Gives the plot its size and the colours of [shades]. */
+internal fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this + ggsize(width, height) + themeMinimal() + theme(
     text = elementText(color = shades.ink, family = "sans-serif"),
     axisText = elementText(color = shades.ink, size = 12),
     axisTitle = elementText(color = shades.ink, size = 13),

@@ -11,28 +11,27 @@ import experiment.analysis.Response
 import experiment.analysis.analysis
 import experiment.analysis.medianInterval
 import experiment.analysis.proportionInterval
+import experiment.isLate
 import org.jetbrains.letsPlot.intern.Plot
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.temporal.ChronoUnit
-import java.util.Base64
 
 /**
  * Writes the report on the [finished] runs. The report is a page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
  * `runs.csv`. Returns the file of the page.
  */
 internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
-    Files.createDirectories(directory.resolve("figures"))
+    val report = Report(Figures(directory.resolve("figures")), settings, finished, made)
     Files.writeString(directory.resolve("runs.csv"), csv(finished, settings.seed, made.build))
     val page = directory.resolve("report.html")
-    Files.writeString(page, page("The collision experiment", Report(directory.resolve("figures"), settings, finished, made).body()))
+    Files.writeString(page, page("The collision experiment", report.body()))
     return page
 }
 
-private class Report(private val figures: Path, private val settings: Settings, finished: List<Finished>, private val made: Provenance) {
+private class Report(private val figures: Figures, private val settings: Settings, finished: List<Finished>, private val made: Provenance) {
     private val plan = settings.plan
     private var tables = 0
-    private var plots = 0
     private val failed = finished.filter { !it.isMeasured && !it.trial.isScaled }
     private val runs = finished.filter { it.isMeasured && !it.trial.isScaled }.sortedBy { it.trial.condition }
     private val scaled = finished.filter { it.trial.isScaled }
@@ -188,21 +187,6 @@ the wall.</p>
         ) { scalingFigure(all, scaling.scale, it) } + "<h3>Slowest lines of each condition</h3>\n" + scaling.table(nextTable())
     }
 
-    /**
-     * Writes the figure [name] as SVG and PNG, and shows it in the page in the colours of the reader. Screen readers get the text
-     * [instead].
-     */
-    private fun figure(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String {
-        if (runs.isEmpty() && scaled.isEmpty()) return "<p>There are no runs yet.</p>"
-        val light = svg(plot(Shades.LIGHT))
-        Files.writeString(figures.resolve("$name.svg"), light)
-        Files.write(figures.resolve("$name.png"), png(light))
-        return """<figure><div class="wide" tabindex="0" role="group" aria-label="figure"><picture>
-<source media="(prefers-color-scheme: dark)" srcset="${data(svg(plot(Shades.DARK)))}">
-<img alt="${escaped(instead)}" src="${data(light)}"></picture></div>
-<figcaption>Figure ${++plots}. ${escaped(caption)}</figcaption></figure>
-"""
-    }
-
-    private fun data(svg: String) = "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(svg.toByteArray())
+    private fun figure(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String =
+        if (runs.isEmpty() && scaled.isEmpty()) "<p>There are no runs yet.</p>" else figures.write(name, caption, instead, plot)
 }

@@ -3,6 +3,7 @@ package experiment.report
 import experiment.Finished
 import experiment.Outcome
 import experiment.exchangeNanos
+import experiment.isLate
 import experiment.leavesTime
 
 /** The results of [runs] beyond the paper, in words, a figure and a table. */

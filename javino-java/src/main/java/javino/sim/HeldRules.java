@@ -67,7 +67,8 @@ final class HeldRules {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {
             String met = percepts.stream()
-                    .filter(text -> text.length() <= MAX_PERCEPT && isMet(watched.rule, PerceptTerm.of(text)))
+                    .filter(text ->
+                            text.length() <= MAX_PERCEPT && isMet(watched.rule, PerceptTerm.of(text), watched.isMet))
                     .findFirst()
                     .orElse(null);
             if (met != null && !watched.isMet) {
@@ -78,21 +79,25 @@ final class HeldRules {
         return beginnings;
     }
 
-    static boolean isMet(BoardRule rule, PerceptTerm percept) {
+    /** Returns whether the percept meets the rule, which {@code wasMet} at the last look. */
+    static boolean isMet(BoardRule rule, PerceptTerm percept, boolean wasMet) {
         return percept.functor().equals(rule.functor())
-                && rule.conditions().stream().allMatch(condition -> isMet(condition, percept.arguments()));
+                && rule.conditions().stream()
+                        .allMatch(condition -> isMet(condition, valueOf(condition, wasMet), percept.arguments()));
     }
 
-    private static boolean isMet(BoardRule.Condition condition, List<String> arguments) {
+    private static String valueOf(BoardRule.Condition condition, boolean wasMet) {
+        return wasMet && condition.until() != null ? condition.until() : condition.value();
+    }
+
+    private static boolean isMet(BoardRule.Condition condition, String value, List<String> arguments) {
         boolean isThere = condition.place() <= arguments.size();
         String argument = isThere ? arguments.get(condition.place() - 1) : "";
         boolean isNumber = BoardRule.isNumber(argument);
-        if (!isThere || isNumber != BoardRule.isNumber(condition.value())) {
+        if (!isThere || isNumber != BoardRule.isNumber(value)) {
             return condition.operator() == BoardRule.Operator.DIFFERENT;
         }
-        int order = isNumber
-                ? new BigDecimal(argument).compareTo(new BigDecimal(condition.value()))
-                : argument.compareTo(condition.value());
+        int order = isNumber ? new BigDecimal(argument).compareTo(new BigDecimal(value)) : argument.compareTo(value);
         return switch (condition.operator()) {
             case EQUAL -> order == 0;
             case DIFFERENT -> order != 0;

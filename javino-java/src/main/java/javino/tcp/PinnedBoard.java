@@ -1,8 +1,6 @@
 package javino.tcp;
 
 import java.net.Socket;
-import java.security.GeneralSecurityException;
-import java.security.MessageDigest;
 import java.security.cert.CertificateException;
 import java.security.cert.CertificateExpiredException;
 import java.security.cert.CertificateNotYetValidException;
@@ -10,7 +8,6 @@ import java.security.cert.X509Certificate;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.Date;
-import java.util.HexFormat;
 import java.util.Optional;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
@@ -40,36 +37,26 @@ final class PinnedBoard extends X509ExtendedTrustManager {
         X509Certificate found = chain[0];
         if (expected.isPresent() && !expected.get().equals(found)) {
             throw new CertificateException("the board shows another certificate than the one in " + file + ": expected "
-                    + fingerprint(expected.get()) + ", found " + fingerprint(found)
+                    + TlsFolder.fingerprint(expected.get()) + ", found " + TlsFolder.fingerprint(found)
                     + ". Was the board exchanged, or its certificate renewed? Then delete that file, or put the new certificate there."
                     + " If not, somebody is between this computer and the board, or this is not your board");
         }
         try {
             found.checkValidity(now);
         } catch (CertificateExpiredException e) {
-            throw new CertificateException("the board's certificate (" + fingerprint(found) + ") expired on "
+            throw new CertificateException("the board's certificate (" + TlsFolder.fingerprint(found) + ") expired on "
                     + day(found.getNotAfter()) + ", and this computer's clock says " + day(now)
                     + ". Put a new one on the board, and delete " + file + ", or put the new one there");
         } catch (CertificateNotYetValidException e) {
-            throw new CertificateException(
-                    "the board's certificate (" + fingerprint(found) + ") is valid from " + day(found.getNotBefore())
-                            + " on, and this computer's clock says " + day(now) + ". Set the clock that is wrong");
+            throw new CertificateException("the board's certificate (" + TlsFolder.fingerprint(found)
+                    + ") is valid from " + day(found.getNotBefore()) + " on, and this computer's clock says " + day(now)
+                    + ". Set the clock that is wrong");
         }
         shown = found;
     }
 
     private static LocalDate day(Date date) {
         return LocalDate.ofInstant(date.toInstant(), ZoneOffset.UTC);
-    }
-
-    /** The certificate's SHA-256, as {@code openssl x509 -fingerprint -sha256} prints it. */
-    static String fingerprint(X509Certificate certificate) {
-        try {
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
-            return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
-        } catch (GeneralSecurityException e) {
-            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate arrived in this encoding
-        }
     }
 
     @Override

@@ -91,7 +91,7 @@ final class TlsConnector {
             LOG.log(
                     System.Logger.Level.INFO,
                     "port " + port + ": this is the first connection to the board, so its certificate, "
-                            + PinnedBoard.fingerprint(board.shown()) + ", is kept in " + folder.fileOf(address)
+                            + TlsFolder.fingerprint(board.shown()) + ", is kept in " + folder.fileOf(address)
                             + ", and no other one will be accepted");
         }
         return new TlsTransport(socket, in, plain, port, line, this::broken);

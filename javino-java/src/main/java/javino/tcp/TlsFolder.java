@@ -9,12 +9,14 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.security.GeneralSecurityException;
 import java.security.KeyFactory;
+import java.security.MessageDigest;
 import java.security.PrivateKey;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.security.spec.PKCS8EncodedKeySpec;
 import java.util.Base64;
 import java.util.Collection;
+import java.util.HexFormat;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -87,6 +89,16 @@ public record TlsFolder(Path path) {
         }
         X509Certificate[] chain = certificates(computerFile());
         return Optional.of(new Identity(key(keyFile, chain[0].getPublicKey().getAlgorithm()), chain));
+    }
+
+    /** Returns the certificate's SHA-256, as {@code openssl x509 -fingerprint -sha256} prints it. */
+    public static String fingerprint(X509Certificate certificate) {
+        try {
+            byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
+            return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate arrived in this encoding
+        }
     }
 
     /**

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
  */
 public record BoardRule(String functor, List<Condition> conditions, String reflex) {
     private static final char END = 0;
+    private static final char UNTIL = 1;
     private static final char REFLEX = 2;
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?");
 
@@ -50,8 +51,9 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
      *
      * @param place the place of the argument, 1 to 9
      * @param value a number, or the text of another term
+     * @param until the value in place of the other one while the rule is met; null: the same
      */
-    public record Condition(int place, Operator operator, String value) {
+    public record Condition(int place, Operator operator, String value, String until) {
         /** The highest place of an argument. */
         public static final int MAX_PLACE = 9;
 
@@ -59,6 +61,11 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
             if (place < 1 || place > MAX_PLACE) {
                 throw new IllegalArgumentException("the place of an argument is 1 to " + MAX_PLACE + ", not " + place);
             }
+        }
+
+        /** A condition whose value is the same while the rule is met. */
+        public Condition(int place, Operator operator, String value) {
+            this(place, operator, value, null);
         }
     }
 
@@ -80,6 +87,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
             text.append((char) ('0' + condition.place))
                     .append(condition.operator.sign)
                     .append(condition.value)
+                    .append(condition.until == null ? "" : UNTIL + condition.until)
                     .append(END);
         }
         if (reflex != null) {
@@ -120,12 +128,17 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
     private static Condition condition(String text) {
         int place = text.charAt(0) - '0';
         Operator operator = Operator.of(text.charAt(1));
-        String value = text.substring(2);
+        List<String> values = List.of(text.substring(2).split("" + UNTIL, 2));
         boolean isReadable = place >= 1
                 && place <= Condition.MAX_PLACE
                 && operator != null
-                && (operator == Operator.EQUAL || operator == Operator.DIFFERENT || isNumber(value));
-        return isReadable ? new Condition(place, operator, value) : null;
+                && values.stream().noneMatch(String::isEmpty)
+                && (operator == Operator.EQUAL
+                        || operator == Operator.DIFFERENT
+                        || values.stream().allMatch(BoardRule::isNumber));
+        return isReadable
+                ? new Condition(place, operator, values.get(0), values.size() > 1 ? values.get(1) : null)
+                : null;
     }
 
     /** Returns whether {@code text} is a number; two numbers are compared by value. */

@@ -133,7 +133,7 @@ class BoardVectorsSpec : FunSpec({
         if (case["met"].isNull()) {
             rule shouldBe null
         } else {
-            case["percepts"].texts().map { HeldRules.isMet(rule, PerceptTerm.of(it)) } shouldBe
+            case["percepts"].texts().map { HeldRules.isMet(rule, PerceptTerm.of(it), false) } shouldBe
                 case["met"].items().map { it.jsonPrimitive.boolean }
         }
     }

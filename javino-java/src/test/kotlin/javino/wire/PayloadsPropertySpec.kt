@@ -29,8 +29,9 @@ private val actions: Arb<List<BoardAction>> = Arb.list(
 )
 
 private val words = Arb.element("dist", "~clear", "a4\u00A5\u00A4", "x")
-private val conditions = Arb.bind(Arb.int(1..9), Arb.element(Operator.entries), Arb.element("40", "-1.5", "+007", "0.0")) {
-        place, operator, value -> Condition(place, operator, value)
+private val numbers = Arb.element("40", "-1.5", "+007", "0.0")
+private val conditions = Arb.bind(Arb.int(1..9), Arb.element(Operator.entries), numbers, numbers.orNull()) {
+        place, operator, value, until -> Condition(place, operator, value, until)
 }
 private val rules: Arb<BoardRule> = Arb.bind(words, Arb.list(conditions, 0..4), texts(1..20).orNull()) { functor, all, reflex ->
     BoardRule(functor, all, reflex)
@@ -115,6 +116,7 @@ class PayloadsPropertySpec : FunSpec({
         "without a value" to "\u0007d\u00001<\u0000",
         "with an empty reflex" to "\u0007d\u0000\u0002", "that orders words" to "\u0007d\u00001<f\u0000",
         "at place 0" to "\u0007d\u00000<40\u0000", "of an unknown operator" to "\u0007d\u00001?40\u0000",
+        "without the second value" to "\u0007d\u00001<40\u0001\u0000",
     )) {
         test("there is no rule $what") { BoardRule.read(CommandItem.Rule(text)) shouldBe null }
     }

@@ -44,7 +44,8 @@ private class Senses(private val robot: Robot) : Sketch {
     override fun act(command: String) = false
 }
 
-private fun log(course: Course, state: Course.State) = System.getLogger("samples.robot").log(
+/** Logs what the robot does. */
+internal fun log(course: Course, state: Course.State) = System.getLogger("samples.robot").log(
     System.Logger.Level.INFO,
     when (state) {
         Course.State.STANDING -> "stands in front of the wall"

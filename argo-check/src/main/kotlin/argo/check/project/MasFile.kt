@@ -19,6 +19,7 @@ class AgentOption(val name: Token, val value: Token?)
  * @property architectures the names behind `agentArchClass`
  * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
  *   options and intentions, or hold other beliefs.
+ * @property computers the computers that the agent may run on, the string behind `at`; null: there is none
  */
 class MasAgent(
     val name: Token,
@@ -27,6 +28,7 @@ class MasAgent(
     val architectures: List<Token>,
     val hasOwnClass: Boolean,
     val number: Int,
+    val computers: Token? = null,
 ) {
     /** The beliefs and goals that the agent's options give it at its start: `[beliefs="limit(20)", goals="drive"]`. */
     val initial: List<Mention> by lazy {
@@ -54,8 +56,13 @@ class MasAgent(
 class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val environment: Token? = after("environment").firstOrNull()
 
+    val infrastructure: Token? = after("infrastructure").firstOrNull()
+
     /** True if its agents may meet agents of other programs: on a platform, on other computers. */
-    val isDistributed: Boolean = after("infrastructure").firstOrNull()?.let { it.text !in LOCAL } == true
+    val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
+
+    /** The fleet of several computers in this project; null: none. */
+    val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure").drop(1)) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
         .filter { it.kind == TokenKind.STRING }.map { it.text.trim('"') }
@@ -87,6 +94,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
             behind.filter { it.first.text == "agentArchClass" }.map { it.second },
             entry.any { it.text == "agentClass" || it.text == "beliefBaseClass" },
             behind.firstOrNull { it.first.text == "#" }?.second?.text?.toIntOrNull() ?: 1,
+            behind.firstOrNull { it.first.text == "at" && it.second.kind == TokenKind.STRING }?.second,
         )
     }
 
@@ -100,7 +108,8 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     /** The first token of the head, the sections or an agent's end that Jason refuses; null: Jason accepts these parts. */
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
-    private companion object {
-        val LOCAL = setOf("Centralised", "Local")
+    companion object {
+        /** The infrastructures that run on one computer. */
+        internal val LOCAL = setOf("Centralised", "Local")
     }
 }

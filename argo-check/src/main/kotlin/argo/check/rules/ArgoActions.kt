@@ -18,11 +18,16 @@ internal object ArgoActions {
         "bad_filter", "bad_program",
     )
 
+    /** The errors of `.send`, `.broadcast` and `.kill_agent` in a fleet of several computers. */
+    private val FLEET_ERRORS = setOf(
+        "no_agent", "unreachable", "overloaded", "not_sendable", "not_readable", "moved", "not_sender", "not_killed", "refused",
+    )
+
     val JASON_ERRORS = setOf(
         "no_relevant", "no_applicable", "no_option", "constraint_failed", "ia_failed", "action_failed", "internal_action", "unknown",
         "wrong_arguments",
-        "deadline_reached", "testing_goal_failed", "no_agent",
-    )
+        "deadline_reached", "testing_goal_failed", "receiver_not_found",
+    ) + FLEET_ERRORS
 
     /**
      * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such

@@ -28,6 +28,7 @@ internal object ProjectFileRules {
         if (file is MasFile) {
             file.error?.let { report.error("syntax", it.span, it.message, "Jason does not start the project", "correct it") }
             file.agents.forEach { agent(project, file, it, report) }
+            FleetRules.check(file, report)
         } else {
             options(file.tokens, report)
         }
@@ -95,6 +96,7 @@ internal object ProjectFileRules {
         }
         val calls = project.partsOf(source).programs.flatMap { it.mentions[Role.INTERNAL] }
         val needsBoard = calls.any { ArgoActions.exists(it.functor) && ArgoActions.actionIn(it.functor) in ArgoActions.OF_BOARDS }
+        if (needsBoard) FleetRules.board(file, agent, report)
         if (needsBoard && agent.architectures.isEmpty()) {
             report.error(
                 "no-architecture", agent.name.span, "agent ${agent.name} calls internal actions of ARGO, and has no architecture for them",

@@ -16,7 +16,7 @@ internal interface FilterPlace {
     /** Returns the filter called [name]; null if there is none. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
 
-    /** Returns the file that [find] reads for [name]; null: it reads none on a disk. */
+    /** Returns the file that [find] reads for [name]; null: [find] reads none on a disk. */
     fun path(name: String): Path? = null
 
     /** Returns the names of the place's filters, for messages; empty if the place cannot be listed. */

@@ -101,9 +101,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
     }
 
     private fun window(member: Member?): Int? =
-        scalar(member, Scalar::isBare, "an odd number of percepts from 3 to ${SmoothingRule.MAX_WINDOW}") { written ->
-            written.trim().toIntOrNull()?.takeIf { it in 3..SmoothingRule.MAX_WINDOW && it % 2 == 1 }
-        }
+        scalar(member, Scalar::isBare, SmoothingRule.WINDOW) { it.trim().toIntOrNull()?.takeIf(SmoothingRule::isWindow) }
 
     /** Returns the rule without its rate. Members of its arguments that are no part of a condition go to [besides]. */
     private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {

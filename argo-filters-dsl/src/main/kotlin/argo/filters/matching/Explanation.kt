@@ -6,6 +6,7 @@ import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
 /**
@@ -58,17 +59,18 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         fun ofFirst(matcher: PerceptMatcher, percept: PerceptText): Explanation {
             val fate = of(matcher, percept, percept, null)
             val smoothing = matcher.smoothingRule(percept) ?: return fate
-            val number = matcher.filter.smoothing.indexOfFirst { it === smoothing } + 1
-            val reason = "${fate.reason}; by smoothing rule $number ($smoothing) another percept of its sensor may stand for it"
+            val reason = "${fate.reason}; ${by(smoothing, matcher)} another percept of its sensor may stand for it"
             return Explanation(fate.percept, fate.outcome, fate.rule, reason)
         }
 
         /** Explains that by [rule] another percept stands for [received], for this [reason]. [of] is the fate of that other percept. */
         fun replaced(matcher: PerceptMatcher, received: PerceptText, rule: CompiledRule, reason: String, of: Explanation): Explanation {
-            val number = matcher.filter.smoothing.indexOfFirst { it === rule.smoothing } + 1
-            val why = " by filter ${matcher.filter.name}: by smoothing rule $number (${rule.smoothing}) $reason; $of"
+            val why = " by filter ${matcher.filter.name}: ${by(rule.smoothing, matcher)} $reason; $of"
             return Explanation("$received", Outcome.REPLACED, rule.rule, why)
         }
+
+        private fun by(smoothing: SmoothingRule?, matcher: PerceptMatcher) =
+            "by smoothing rule ${matcher.filter.smoothing.indexOfFirst { it === smoothing } + 1} ($smoothing)"
 
         fun heldBack(matcher: PerceptMatcher, percept: PerceptText, hold: Hold<*>, nowMs: Long): Explanation {
             val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"

@@ -28,6 +28,14 @@ class PerceptMatcher internal constructor(
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
+     * True if no smoothing rule has a condition on an argument that is smoothed: then the number of a percept has no part in the choice of
+     * its rule.
+     */
+    internal val smoothsByName: Boolean = filter.smoothing.none { smoothing ->
+        smoothing.rule.conditions.any { condition -> condition is Condition.Argument && filter.smoothing.any { it.argument == condition.index } }
+    }
+
+    /**
      * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
      *
      * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
@@ -39,37 +47,35 @@ class PerceptMatcher internal constructor(
     /** Like the other [drops]. If [isStandIn], the percept stands for another one, so only smoothed critical rules count. */
     internal fun drops(percept: CharSequence, start: Int, end: Int, isStandIn: Boolean, latches: Latches?): Boolean =
         scan(percept, start, end, false) { functor, functorEnd, tail, head ->
-            isMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } == drops &&
-                (criticalIndex == null || !isMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
+            val met = firstMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null }
+            (met != null) == drops && (criticalIndex == null ||
+                firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
                     !isStandIn || it.critical?.smoothed == true
-                })
+                } == null)
         }
 
     /** Returns true if the [percept] meets a critical rule that is not smoothed. */
     internal fun isCritical(percept: String, latches: Latches?): Boolean =
         criticalIndex != null && scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
-            isMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) { it.critical?.smoothed == false }
+            firstMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) {
+                it.critical?.smoothed == false
+            } != null
         }
 
-    /** Returns true if the percept meets a rule of [index] that [counts]. */
-    private inline fun isMet(
+    /** Returns the first rule of [index] that [counts] and that the percept meets; null: it meets none. */
+    private inline fun firstMet(
         index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
         counts: (CompiledRule) -> Boolean,
-    ): Boolean {
+    ): CompiledRule? {
         for (rule in index.find(text, functor, functorEnd)) {
-            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return true
-        }
-        return false
-    }
-
-    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
-    internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? {
-        val index = smoothingIndex ?: return null
-        for (rule in index.find(text, functor, functorEnd)) {
-            if (rule.isFor(tail, head) && rule.areMet(text, functorEnd, text.length, tail, null)) return rule
+            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return rule
         }
         return null
     }
+
+    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
+    internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
+        smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
 
     /** Notes in [latches] which conditions with two limits hold from now on, after [received] has come and [standing] stands for it. */
     internal fun note(received: String, standing: String, latches: Latches) {

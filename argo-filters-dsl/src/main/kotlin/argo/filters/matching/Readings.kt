@@ -1,5 +1,6 @@
 package argo.filters.matching
 
+import argo.filters.DecimalReader
 import argo.filters.GroundTerm
 import argo.filters.SmoothingRule
 import kotlin.math.abs
@@ -44,6 +45,9 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
         if (doubt == null) accept(if (rule.annotates) annotated(percept) else percept, number, nowMs)
         return percepts[credible?.median() ?: 0]
     }
+
+    /** Returns the value of the last digit of the number in [text], if it counts. */
+    fun unit(text: String, from: Int, to: Int): Double = if (rule.outliers == null) 0.0 else DecimalReader.unit(text, from, to)
 
     private fun isTooFast(number: Double, nowMs: Long): Boolean {
         val rate = rule.maxRate ?: return false

@@ -19,10 +19,17 @@ internal class SensorMemory<V : Any> {
     fun get(owner: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): V? =
         values[probe.of(owner, text, from, to, start, end)]
 
-    /** Remembers [value] for the sensor that was looked up last. */
-    fun put(value: V) {
-        values[probe.copy()] = value
+    operator fun get(key: SensorKey): V? = values[key]
+
+    /** Returns the key of the sensor that was looked up last. */
+    fun newKey(): SensorKey = probe.copy()
+
+    operator fun set(key: SensorKey, value: V) {
+        values[key] = value
     }
+
+    /** Remembers [value] for the sensor that was looked up last. */
+    fun put(value: V) = set(newKey(), value)
 
     /** Forgets the value of the sensor that was looked up last. */
     fun remove() {
@@ -40,7 +47,7 @@ internal class SensorMemory<V : Any> {
 }
 
 /** The name of a sensor to its owner: the text of its percepts without the part that changes. */
-private class SensorKey(
+internal class SensorKey(
     private var owner: Any? = null, private var name: CharArray = CharArray(INITIAL_LENGTH), private var length: Int = 0,
 ) {
     private var hash = 0

@@ -17,7 +17,8 @@ internal class Smoother<P : Any>(
     /** By [rule], for this [reason], the percept [standing] would stand for another one. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
-    private val memory = SensorMemory<Readings<P>>()
+    private val memory = SensorMemory<Sensor<P>>()
+    private val places = ArrayList<Sensor<P>?>() // the sensors that stood last at each place of a picture
 
     private var isDoubted = false // true if the percept that was taken last is not credible
 
@@ -31,31 +32,54 @@ internal class Smoother<P : Any>(
         val doubted = BitSet()
         for (percept in received) {
             val place = earlier[percept]
-            standing += if (place != null) before.standing[place] else stands(percept, nowMs)
+            standing += if (place != null) before.standing[place] else stands(percept, nowMs, standing.size)
             doubted[standing.lastIndex] = if (place != null) before.isDoubted(place) else isDoubted
         }
         return Picture(received, standing, doubted)
     }
 
-    /** Takes a [percept] that has come at [nowMs], and returns the percept that stands for it. */
-    fun stands(percept: P, nowMs: Long): P = read(percept, percept.also { isDoubted = false }) { rule, known, number, unit ->
-        val readings = known ?: readingsFor(rule).also(memory::put)
-        readings.take(percept, number, unit, nowMs).also { isDoubted = readings.doubt != null }
+    /** Takes a [percept] that has come at [nowMs] at this [place] of a picture, and returns the percept that stands for it. */
+    fun stands(percept: P, nowMs: Long, place: Int): P {
+        val text = textOf(percept)
+        isDoubted = false
+        return places.getOrNull(place)?.takeIfItsOwn(percept, text, nowMs) ?: read(text, percept) { rule, known, from, to, number ->
+            val sensor = known ?: memory.newKey().let { key -> newSensor(rule, text, from, to, key).also { memory[key] = it } }
+            if (matcher.smoothsByName) sit(place, sensor)
+            sensor.take(percept, text, from, to, number, nowMs)
+        }
+    }
+
+    /** Takes the [percept] if its text shows that it is of this sensor, which saves looking for its rule and its sensor; else null. */
+    private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
+        val to = numberEnd(text)
+        val number = if (to > from && SensorMemory.isRoomFor(text.length)) DecimalReader.plain(text, from, to) else Double.NaN
+        return if (number.isNaN() || memory[key] == null) null else take(percept, text, from, to, number, nowMs)
+    }
+
+    private fun Sensor<P>.take(percept: P, text: String, from: Int, to: Int, number: Double, nowMs: Long): P =
+        readings.take(percept, number, readings.unit(text, from, to), nowMs).also { isDoubted = readings.doubt != null }
+
+    private fun sit(place: Int, sensor: Sensor<P>) {
+        while (places.size <= place) places += null
+        places[place] = sensor
     }
 
     /** Returns what would stand for [percept] if it came at [nowMs]; null: no rule smooths it. */
-    fun replacement(percept: P, nowMs: Long): Replacement<P>? = read(percept, null) { rule, known, number, unit ->
-        val readings = known?.copy() ?: readingsFor(rule)
-        Replacement(rule, readings.take(percept, number, unit, nowMs), readings.reason(number))
+    fun replacement(percept: P, nowMs: Long): Replacement<P>? {
+        val text = textOf(percept)
+        return read(text, null) { rule, known, from, to, number ->
+            val readings = known?.readings?.copy() ?: Readings(checkNotNull(rule.smoothing), annotated)
+            Replacement(rule, readings.take(percept, number, readings.unit(text, from, to), nowMs), readings.reason(number))
+        }
     }
 
-    private fun readingsFor(rule: CompiledRule) = Readings(checkNotNull(rule.smoothing), annotated)
+    private fun newSensor(rule: CompiledRule, text: String, from: Int, to: Int, key: SensorKey) =
+        Sensor(Readings(checkNotNull(rule.smoothing), annotated), text.substring(0, from), text.substring(to), key)
 
-    /** Returns the result of [found] for the rule that smooths [percept], its sensor's readings and its number; without a rule, [none]. */
+    /** Returns what [found] makes of the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule does. */
     private inline fun <T> read(
-        percept: P, none: T, found: (rule: CompiledRule, known: Readings<P>?, number: Double, unit: Double) -> T,
+        text: String, none: T, found: (rule: CompiledRule, known: Sensor<P>?, from: Int, to: Int, number: Double) -> T,
     ): T {
-        val text = textOf(percept)
         val end = text.length
         if (end > SensorMemory.MAX_LENGTH) return none
         return scan(text, 0, end, none) { functor, functorEnd, tail, head ->
@@ -66,8 +90,7 @@ internal class Smoother<P : Any>(
             val to = TermBounds.partEnd(text, from, end, ')')
             val number = number(text, from, to)
             if (!number.isFinite()) return none
-            val unit = if (rule.smoothing.outliers == null) 0.0 else DecimalReader.unit(text, from, to)
-            found(rule, memory.get(rule, text, functorEnd, from, to, TermBounds.annotations(tail)), number, unit)
+            found(rule, memory.get(rule, text, functorEnd, from, to, TermBounds.annotations(tail)), from, to, number)
         }
     }
 
@@ -75,4 +98,13 @@ internal class Smoother<P : Any>(
         val plain = DecimalReader.plain(text, from, to)
         return if (plain.isNaN()) (GroundTermReader(text, from, to).readWhole() as? GroundTerm.Number)?.value ?: plain else plain
     }
+}
+
+/** A sensor whose percepts are smoothed: its [readings], and a percept's text [before] and [behind] the number. */
+private class Sensor<P : Any>(val readings: Readings<P>, private val before: String, private val behind: String, val key: SensorKey) {
+    /** The index at which the number begins. */
+    val from: Int get() = before.length
+
+    /** Returns the end of what may be the number in [text]; 0 if the rest of [text] is another one. */
+    fun numberEnd(text: String): Int = if (text.startsWith(before) && text.endsWith(behind)) text.length - behind.length else 0
 }

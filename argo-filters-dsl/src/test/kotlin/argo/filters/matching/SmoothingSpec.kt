@@ -288,7 +288,7 @@ class SmoothingSpec : FreeSpec({
         val smoother = Smoother(median5.matcher(), { it: String -> it }, { it })
         val percepts = Array(100) { if (it % 2 == 0) "dist(f,${it * 7 % 11})" else "dist(b,${it * 5 % 13})" }
         fun run() {
-            for (percept in percepts) smoother.stands(percept, 0)
+            percepts.forEachIndexed { at, percept -> smoother.stands(percept, 0, at % 3) }
         }
         repeat(200) { run() } // until it is compiled
         val threads = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean

@@ -3,11 +3,9 @@ package argo.fleet.agents
 import argo.fleet.cluster.Overloaded
 import argo.fleet.cluster.Refused
 import argo.fleet.node.reason
+import argo.recording.agent.AwaitedOutside
 import jason.JasonException
-import jason.ReceiverNotFoundException
-import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.TransitionSystem
-import jason.asSyntax.ASSyntax
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 import java.util.logging.Logger
@@ -17,7 +15,16 @@ import java.util.logging.Logger
  *
  * @property id the message's id; if an intention asks a question, Jason suspends it under this id
  */
-internal class Delivery(val id: String?, val receiver: String, val end: CompletionStage<Void>)
+internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
+    val end: CompletableFuture<Void> = end.toCompletableFuture()
+
+    /** Tells the log if the message does not arrive, since nobody waits for it. */
+    fun tellFailure() {
+        end.whenComplete { _, failed ->
+            if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
+        }
+    }
+}
 
 /**
  * Collects the messages that an internal action sends to other computers while the agent's thread carries it out. The action waits for the
@@ -41,68 +48,58 @@ internal object Deliveries {
         }
     }
 
-    /** Notes [delivery] for the action that the calling thread carries out; if there is none, [log] tells its failure. */
-    fun add(delivery: Delivery, log: Logger) {
-        collected.get()?.add(delivery) ?: delivery.end.whenComplete { _, failed ->
-            if (failed != null) log.warning("a message to ${delivery.receiver} has not arrived: ${failed.reason().message}")
-        }
-    }
+    /** Notes [delivery] for the action that the calling thread carries out. */
+    fun add(delivery: Delivery) = collected.get()?.add(delivery) ?: delivery.tellFailure()
 }
 
 /**
- * Has an internal action wait for its messages to other computers, and fail if one is not known to have arrived. The intention is
- * suspended, the agent goes on. Belongs to one agent.
+ * Has an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
+ * intention is suspended. Belongs to one agent.
+ *
+ * @param questions the agent's questions to other computers, including those of the action
  */
-internal class DeliveryWait {
-    /** Whether the call that was carried out last has suspended its intention. */
+internal class DeliveryWait(private val questions: Questions) {
+    /** Whether the last call has suspended its intention. */
     var isWaiting = false
         private set
 
-    /**
-     * Carries out [action].
-     *
-     * @param isAsk asked behind the action: whether it has suspended the intention by itself, until answers come
-     */
-    fun carryOut(ts: TransitionSystem, isAsk: () -> Boolean, action: () -> Any): Any {
+    fun carryOut(ts: TransitionSystem, action: () -> Any): Any {
         isWaiting = false
         val (result, sent) = Deliveries.during({ forget(ts, it) }, action)
         if (sent.isEmpty() || result != true) return result
-        if (isAsk()) {
-            sent.forEach { delivery -> delivery.end.whenComplete { _, failed -> if (failed != null) fail(ts, delivery.id, failed) } }
-        } else if (sent.any { !it.end.toCompletableFuture().isDone || it.end.toCompletableFuture().isCompletedExceptionally }) {
+        val answered = questions.end(sent.first().id)
+        if (answered != null) {
+            answered.thenAccept(AwaitedOutside.begin(ts))
+            sent.forEach { delivery -> delivery.end.whenComplete { _, failed -> if (failed != null) questions.fail(delivery.id, failed) } }
+        } else if (sent.any { !it.end.isDone || it.end.isCompletedExceptionally }) {
             isWaiting = true
-            val key = Suspension.suspendInt(ts, "fleet", 0)
-            CompletableFuture.allOf(*sent.map { it.end.toCompletableFuture() }.toTypedArray()).whenComplete { _, failed ->
-                if (failed == null) Suspension.resumeInt(ts, key) else fail(ts, key, failed)
-            }
+            await(sent, AwaitedOutside.begin(ts))
         }
         return result
     }
 
-    /** Jason suspends an intention before it asks; if that fails, the intention fails, and nothing waits for an answer. */
-    private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach { ts.c.removePendingIntention(it.id) }
-
-    /** An action that suspends; only for its way to suspend an intention. */
-    private object Suspension : ConcurrentInternalAction() {
-        override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
+    private fun await(sent: List<Delivery>, end: (JasonException?) -> Unit) {
+        CompletableFuture.allOf(*sent.map { it.end }.toTypedArray()).whenComplete { _, _ ->
+            val lost = sent.filter { it.end.isCompletedExceptionally }
+            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails because of the first one
+            end(lost.firstOrNull()?.end?.handle { _, failed -> errorOf(failed) }?.join())
+        }
     }
 
-    companion object {
-        /** Fails the intention that is suspended under [key], for the [reason]; nothing if there is none any more. */
-        fun fail(ts: TransitionSystem, key: String?, reason: Throwable) =
-            ConcurrentInternalAction.resume(ts, key, true, errorOf(reason.reason()).errorTerms)
+    /** Jason suspends an intention before it sends a question. If sending fails, the intention must not wait for an answer. */
+    private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
+        it.tellFailure()
+        ts.c.removePendingIntention(it.id ?: return@forEach)
     }
 }
 
 /** Returns the exception for a message that has not arrived for [reason], with the `error(…)` that plans match. */
-internal fun errorOf(reason: Throwable): JasonException = when (reason) {
-    is JasonException -> reason
-    is Refused -> noAgent(reason.message.orEmpty())
-    is Overloaded -> JasonException(reason.message, ASSyntax.createAtom("overloaded"))
-    else -> JasonException(reason.message ?: "$reason", ASSyntax.createAtom("unreachable"))
+internal fun errorOf(reason: Throwable): JasonException = when (val cause = reason.reason()) {
+    is JasonException -> cause
+    is Refused -> AwaitedOutside.exceptionOf(cause.error, cause.message.orEmpty())
+    is Overloaded -> AwaitedOutside.exceptionOf("overloaded", cause.message.orEmpty())
+    else -> AwaitedOutside.exceptionOf("unreachable", cause.message ?: "$cause")
 }
 
-/** Returns the exception for a message to an agent that does not exist. Its error is that of one computer, too. */
-internal fun noAgent(message: String): JasonException = ReceiverNotFoundException(message).apply {
-    addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom("no_agent")))
-}
+/** Returns the exception for a message to an agent that does not exist. Without a fleet, Jason gives the same error. */
+internal fun noAgent(message: String): JasonException = AwaitedOutside.exceptionOf(AwaitedOutside.NO_AGENT, message)

@@ -5,34 +5,43 @@ import argo.fleet.cluster.Unreachable
 import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
 import argo.fleet.node.MindNews
+import argo.fleet.node.NOT_READABLE
 import argo.fleet.node.Place
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.unreachable
+import argo.observing.AgentThere
+import argo.observing.ObservedComputer
+import argo.observing.SeveralComputers
+import argo.recording.agent.AwaitedOutside
 import argo.recording.agent.MessageContent
 import jason.JasonException
 import jason.architecture.AgArch
 import jason.asSemantics.Message
-import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
-import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionStage
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The infrastructure of an agent in a [Fleet]: the last of its architectures. Its messages go to agents of other computers, too.
+ * The infrastructure of an agent in a [Fleet]: the last of its architectures. The agent can also send to agents of other computers.
  *
- * @param reign the time during which an agent that outlives its computer runs here; null: the agent is not one of these
- * @param keep takes the mind of such an agent
+ * @param reign the time during which an agent that outlives its computer runs here; null: the agent does not outlive its computer
+ * @param begun the mind with which such an agent begins; null: the agent begins as its program says
+ * @param keep takes the mind of an agent that outlives its computer; fails if a computer that may run it has not got it
  */
 internal class FleetAgArch(
     private val fleet: Fleet,
     private val reign: Reign? = null,
-    private val keep: (MindNews) -> Unit = {},
-) : LocalAgArch() {
-    private val asks = ConcurrentHashMap<Pair<String, String>, String>() // questions under way: message, agent asked; its computer
+    private val begun: MindNews? = null,
+    private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
+) : LocalAgArch(), SeveralComputers {
+    /** The term of the reign in which the agent runs here; 0: the agent does not outlive its computer. */
+    val term: Long = reign?.term ?: 0
+    private val questions = Questions()
     private val sleepLock = ReentrantLock()
     private val woken = sleepLock.newCondition()
     private var isWoken = false
@@ -48,12 +57,19 @@ internal class FleetAgArch(
     @Volatile
     private var percepts: FleetPercepts? = null
 
-    /** Jason calls this after it has read the agent's program, and before it makes other architectures. */
+    /** Jason calls this after it has read the program, and before it makes other architectures, of which one may record the agent. */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return
-        FleetActions.install(ts.ag)
+        FleetActions.install(ts.ag, questions)
         percepts = FleetPercepts.of(ts.settings.getUserParameter(FleetPercepts.OPTION), logger::severe)
+        begun?.let(::goOnWith)
+    }
+
+    private fun goOnWith(mind: MindNews) = try {
+        restore(ts, mind.program, logger)
+    } catch (unreadable: IllegalArgumentException) {
+        logger.severe("$agName begins anew, since what it believed cannot be read: ${unreadable.message}")
     }
 
     override fun sendMsg(message: Message) {
@@ -63,7 +79,7 @@ internal class FleetAgArch(
         when (val place = directory.find(message.receiver)) {
             Place.Here -> super.sendMsg(message)
             is Place.There -> send(message, place.computer)
-            is Place.Off -> throw errorOf(unreachable(message.receiver, place, directory.inTouch))
+            is Place.Off -> throw errorOf(unreachable(message.receiver, place, directory))
             Place.Unknown -> if (isRunning) throw noAgent("there is no agent ${message.receiver} in the fleet; the message is $message")
         }
     }
@@ -72,11 +88,11 @@ internal class FleetAgArch(
         val content = try {
             MessageContent.write(message.propCont)
         } catch (refused: IllegalArgumentException) {
-            throw JasonException("$message cannot go to another computer: ${refused.message}", ASSyntax.createAtom("not_sendable"))
+            throw AwaitedOutside.exceptionOf("not_sendable", "$message cannot go to another computer: ${refused.message}")
         }
-        if (message.isAsk && message.msgId.startsWith(Message.msgIdSyncAskPrefix)) asks[message.msgId to message.receiver] = computer
-        val said = Say(message.msgId, message.inReplyTo, message.ilForce, message.sender, message.receiver, content, reign?.term ?: 0)
-        Deliveries.add(Delivery(message.msgId, message.receiver, fleet.send(computer, said)), logger)
+        if (message.isAsk && message.msgId.startsWith(Message.msgIdSyncAskPrefix)) questions.ask(message.msgId, message.receiver, computer)
+        val said = Say(message.msgId, message.inReplyTo, message.ilForce, message.sender, message.receiver, content, term)
+        Deliveries.add(Delivery(message.msgId, message.receiver, logger, fleet.send(computer, said)))
     }
 
     /** Sends [message] to all other agents. If sending fails for some agents, the others still get [message]. */
@@ -89,6 +105,7 @@ internal class FleetAgArch(
                 failed
             }
         }
+        failures.drop(1).forEach { logger.warning("a message to all has not arrived: ${it.message}") }
         failures.firstOrNull()?.let { throw it }
     }
 
@@ -109,23 +126,26 @@ internal class FleetAgArch(
 
     private fun refuse(message: Say, reason: String): Nothing {
         logger.warning("a message of ${message.from} cannot be read and is refused: $reason")
-        throw Refused("${message.to} cannot read the message: $reason")
+        throw Refused(NOT_READABLE, "${message.to} cannot read the message: $reason")
     }
 
     override fun receiveMsg(message: Message) {
-        message.inReplyTo?.let { asks.remove(it to message.sender) }
+        message.inReplyTo?.let { questions.answered(it, message.sender) }
         super.receiveMsg(message)
     }
 
     /** Fails intentions that wait for an answer from a computer that is off now. Wakes an agent that perceives the fleet. Any thread. */
     fun directoryChanged(now: Directory) {
-        asks.filterValues { it !in now.inTouch }.forEach { (question, computer) ->
-            asks.remove(question)
-            val (id, asked) = question
-            DeliveryWait.fail(ts, id, Unreachable("$asked has not answered, and its computer $computer is off"))
-        }
+        questions.failLost(now)
         isTold = false
         if (percepts != null) wake()
+    }
+
+    override val computers: List<ObservedComputer> get() = fleet.directory.run {
+        computers.map { computer ->
+            val agents = agents.filterValues { it == computer }.keys.sorted().map { AgentThere(it, fleet.views[it]) }
+            ObservedComputer(computer, computer == here, isMet(computer), agents)
+        }
     }
 
     override fun perceive(): MutableCollection<Literal>? {
@@ -142,6 +162,7 @@ internal class FleetAgArch(
 
     override fun reasoningCycleFinished() {
         super.reasoningCycleFinished()
+        questions.endAllBut(ts.c.pendingIntentions.keys)
         if (reign != null && System.nanoTime() - keptNs >= KEEP_NS) keepMind(reign)
     }
 
@@ -153,7 +174,7 @@ internal class FleetAgArch(
         if (mind == kept && isTold) return
         kept = mind
         isTold = true
-        keep(MindNews(agName, reign.term, ++minds, mind.program()))
+        keep(MindNews(agName, reign.term, ++minds, mind.program())).whenComplete { _, lost -> if (lost != null) isTold = false }
     }
 
     /** Sleeps until [wake] is called, a second at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too. */
@@ -175,8 +196,7 @@ internal class FleetAgArch(
         woken.signalAll()
     }
 
-    private fun held() =
-        JasonException("$agName does not run here now: most computers of the fleet are out of touch", ASSyntax.createAtom("unreachable"))
+    private fun held() = errorOf(Unreachable("$agName does not run here now: most computers of the fleet are out of touch"))
 
     private companion object {
         /** The time between two copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */

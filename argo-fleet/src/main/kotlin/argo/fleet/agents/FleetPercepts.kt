@@ -3,6 +3,7 @@ package argo.fleet.agents
 import argo.fleet.node.Directory
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
+import jason.asSyntax.Term
 
 /**
  * The percepts about a fleet that an agent asks for by the option `argo_fleet="computers,agents"`: `computer(scout1,on)` and
@@ -28,16 +29,20 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
 
     private fun of(directory: Directory): List<Literal> = kinds.flatMap { kind ->
         when (kind) {
-            Kind.COMPUTERS -> directory.computers.map { literal("computer", it, if (it in directory.inTouch) "on" else "off") }
+            Kind.COMPUTERS -> directory.computers.map { literal("computer", it, if (directory.isMet(it)) "on" else "off") }
             Kind.AGENTS -> directory.agents.map { (agent, computer) -> literal("agent", agent, computer) }
         }
     }
 
-    private fun literal(functor: String, vararg atoms: String): Literal =
-        ASSyntax.createLiteral(functor, *atoms.map { ASSyntax.createAtom(it) }.toTypedArray())
+    private fun literal(functor: String, vararg names: String): Literal = ASSyntax.createLiteral(functor, *names.map(::term).toTypedArray())
+
+    private fun term(name: String): Term = if (ATOM.matches(name)) ASSyntax.createAtom(name) else ASSyntax.createString(name)
 
     companion object {
         const val OPTION = "argo_fleet"
+
+        /** A name that a program can write without quotes; names of hosts have hyphens, too. */
+        private val ATOM = Regex("[a-z][A-Za-z0-9_]*")
 
         /** The value of the option, for people. */
         const val USAGE = "computers and agents, or one of them, as \"computers,agents\""

@@ -73,7 +73,7 @@ internal class FleetServices(
     override fun killAgent(agent: String, by: String, deadlineMs: Int): Boolean {
         val place = fleet.directory.find(agent)
         if (place !is Place.There) return super.killAgent(agent, by, deadlineMs)
-        Deliveries.add(Delivery(null, agent, fleet.send(place.computer, Kill(agent, by, deadlineMs))), log)
+        Deliveries.add(Delivery(null, agent, log, fleet.send(place.computer, Kill(agent, by, deadlineMs))))
         return true
     }
 

@@ -13,12 +13,12 @@ import java.util.logging.Logger
 
 private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector")
 
-/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind is restored. */
+/** Returns true if [belief] comes from the program. Beliefs of the program are in no mind, and stay when a mind is restored. */
 private fun isOfProgram(belief: Literal) = belief is Rule || belief.hasAnnot(HIDDEN)
 
 /**
- * What an agent believes and wants, as AgentSpeak: each a literal. Percepts, rules and plans are not among them: they come from the world
- * and from the program. Of each intention the goal is kept that it began with; intentions that no goal has begun are not kept.
+ * The beliefs and goals of an agent, each as a literal in AgentSpeak, without percepts, rules and plans. The goals are those with which
+ * intentions began. Intentions that did not begin with a goal are left out.
  */
 internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
     /** The mind as a program: `watches(a,b)[source(self)]. … !oversee.` */
@@ -45,7 +45,7 @@ internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
             return ts.c.allIntentions.asSequence().mapNotNull(::goal).toList() + waiting
         }
 
-        /** Returns the goal with which [intention] began, its variables replaced by their values; null: no goal has begun it. */
+        /** Returns the goal with which [intention] began, with the values of its variables; null: [intention] did not begin with a goal. */
         private fun goal(intention: Intention): Literal? =
             intention.filter { it.trigger.isAddition && it.trigger.isAchvGoal }.lastOrNull()?.let { begun ->
                 begun.trigger.literal.capply(begun.unif) as Literal
@@ -54,9 +54,9 @@ internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
 }
 
 /**
- * Gives the agent of [ts], which has read its program and has not begun, [program] as its mind in place of what its program begins with.
+ * Gives the agent of [ts], which has read its program and has not begun, the mind in [program] instead of its own beginning.
  *
- * @throws IllegalArgumentException if it cannot be read
+ * @throws IllegalArgumentException if [program] cannot be read
  */
 internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
     val lines = program.lines().filter { it.isNotEmpty() }.map { it.removeSuffix(".") }

@@ -10,12 +10,6 @@ interface Cluster : AutoCloseable {
     /** This computer's name. */
     val here: String
 
-    /** The computers of the view that the listener was told last, by their names, this one among them. */
-    val computers: Map<String, Computer>
-
-    /** Whether more than half of the computers of [ClusterSettings.hosts] are in that view; false if no hosts are named. */
-    val hasMajority: Boolean
-
     /**
      * Joins the fleet. First the listener gets a view with at least this computer. One thread of the cluster calls the listener and
      * completes the results of [send], in order.
@@ -48,14 +42,17 @@ data class Computer(val name: String, val session: String)
 /**
  * The computers in touch.
  *
- * @property computers by their names
- * @property hasMajority whether they are more than half of the computers that the fleet consists of
+ * @property computers the computers in touch, by their names
+ * @property hasMajority whether they are more than half of [ClusterSettings.hosts]; false if no hosts are named
  */
 class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
 
-/** Is called by a [Cluster]; an exception of [message] is the sender's [Refused], any other is logged. */
+/** A [Cluster] calls these functions. */
 interface ClusterListener {
-    /** A computer of the last view has sent [message]. Until this returns, the next one waits. */
+    /**
+     * A computer of the last view has sent [message]. The next message waits until this returns. If this throws, the sender gets a
+     * [Refused], with the error `refused` unless the exception was a [Refused].
+     */
     fun message(from: String, message: ByteArray)
 
     /**
@@ -74,5 +71,25 @@ class Unreachable(message: String) : Exception(message)
 /** A message was not sent: it is too long, or too much already waits for the receiving computer. */
 class Overloaded(message: String) : Exception(message)
 
-/** A message arrived, and its receiver did not want it. */
-class Refused(message: String) : Exception(message)
+/**
+ * A message arrived, and its receiver did not want it.
+ *
+ * @property error the reason in one word, for plans
+ */
+class Refused(val error: String, message: String) : Exception(message) {
+    /** The form in which the refusal goes to the sender. */
+    internal val line: String get() = "$error $message"
+
+    internal companion object {
+        private const val OTHER = "refused"
+        private val LINE = Regex("([a-z][a-z_]{0,40}) (.*)", RegexOption.DOT_MATCHES_ALL)
+
+        fun of(failure: Exception) = failure as? Refused ?: Refused(OTHER, failure.message ?: "$failure")
+
+        /** Reads a refusal in the form of [line]. */
+        fun of(line: String): Refused {
+            val (error, reason) = LINE.matchEntire(line)?.destructured ?: return Refused(OTHER, line)
+            return Refused(error, reason)
+        }
+    }
+}

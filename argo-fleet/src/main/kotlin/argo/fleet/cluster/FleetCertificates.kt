@@ -6,10 +6,8 @@ import java.net.Socket
 import java.nio.file.Files
 import java.nio.file.Path
 import java.security.KeyStore
-import java.security.MessageDigest
 import java.security.cert.CertificateException
 import java.security.cert.X509Certificate
-import java.util.HexFormat
 import javax.net.ssl.KeyManagerFactory
 import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLEngine
@@ -57,8 +55,8 @@ internal class FleetCertificates(folder: Path) {
     private fun check(chain: Array<X509Certificate>) {
         val shown = chain[0]
         if (shown != own.chain()[0] && shown !in others.values) {
-            val digest = HexFormat.ofDelimiter(":").withUpperCase().formatHex(MessageDigest.getInstance("SHA-256").digest(shown.encoded))
-            throw CertificateException("it shows a certificate that is not in $where, SHA-256 $digest; if it is of the fleet, put it there")
+            val digest = TlsFolder.fingerprint(shown)
+            throw CertificateException("it shows a certificate that is not in $where, $digest; if it is of the fleet, put it there")
         }
         shown.checkValidity()
     }

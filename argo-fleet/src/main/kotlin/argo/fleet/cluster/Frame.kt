@@ -20,10 +20,10 @@ internal sealed interface Frame {
     }
 
     /**
-     * @property taken pieces before this one have been taken by the listener, or left out as failed
-     * @property arrived pieces before this one have arrived; the next one that is awaited
+     * @property taken the number before which the listener has taken all pieces, or failed ones were left out
+     * @property arrived the number of the next awaited piece, before which all have arrived
      * @property isRepeatWanted whether a later piece came first
-     * @property refusals why messages among those taken were refused, by their last pieces
+     * @property refusals why messages among those taken were refused, as [Refused.line], by their last pieces
      */
     class Acknowledgement(
         val taken: Long,

@@ -6,10 +6,11 @@ import java.security.MessageDigest
 import java.util.HexFormat
 
 /**
- * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 1 garden scout1 5f3a…`. So
- * computers of other fleets, other versions and other lists of hosts, and strangers, are refused before JGroups reads a byte of theirs.
+ * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So JGroups
+ * reads no byte from strangers, or from computers of another fleet, version or list of hosts.
  *
- * @property hosts a digest of the names of the fleet's computers: if they differed, two sides could both count a majority
+ * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if
+ * the addresses did, two computers could have one name
  */
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
@@ -17,7 +18,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
     /** Returns why this computer cannot connect with the one that sent [other]; null: it can. */
     fun refusalOf(other: Greeting): String? = when {
         other.fleet != fleet -> "${other.name} belongs to the fleet ${other.fleet}, and $name to $fleet"
-        other.hosts != hosts -> "the hosts of ${other.name} have other names than those of $name: give both the same project"
+        other.hosts != hosts -> "the hosts of ${other.name} have other names or addresses than those of $name: give both the same project"
         else -> null
     }
 
@@ -25,15 +26,15 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
         private const val WORD = "argo-fleet"
         private const val REFUSED = "refused "
 
-        /** Raised when frames, or anything in JGroups' messages, change. */
-        private const val FORMAT = 1
+        /** Must be raised with each change of frames or of anything in JGroups' messages. */
+        private const val FORMAT = 2
         private const val MAX_LINE = 400
         private const val PRINTABLE = 40
         private val FORM = Regex("$WORD (\\d{1,9})(?: ([A-Za-z0-9_.-]+) ([A-Za-z0-9_.-]+) (any|[0-9a-f]+))?(?: .*)?")
 
         fun of(settings: ClusterSettings): Greeting {
-            val names = settings.hosts.keys.sorted().joinToString(" ").toByteArray()
-            val digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(names)).take(16)
+            val hosts = settings.hosts.toSortedMap().map { (name, at) -> "$name=${at.hostString}:${at.port}" }.joinToString(" ")
+            val digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(hosts.toByteArray())).take(16)
             return Greeting(settings.fleet, settings.here, if (settings.hosts.isEmpty()) "any" else digest)
         }
 

@@ -1,11 +1,10 @@
 package argo.fleet.cluster
 
-/** A member of a group: a program on a computer. Another start of it is another member. */
-internal data class Member(val name: String, val session: String)
-
-/** The members in touch, and frames among them, which may be lost or come twice. */
+/**
+ * The computers in touch, its members, and frames among them. Frames may be lost or come twice. Another run of a program is another member.
+ */
 internal interface Group : AutoCloseable {
-    val here: Member
+    val here: Computer
 
     /** Joins. [listener] may be called by several threads at once. */
     fun join(listener: GroupListener)
@@ -14,14 +13,14 @@ internal interface Group : AutoCloseable {
      * Sends [frame] if the network takes it; never waits. With one caller at a time, frames overtake each other only where a connection
      * ends.
      */
-    fun transmit(to: Member, frame: ByteArray)
+    fun transmit(to: Computer, frame: ByteArray)
 }
 
 internal interface GroupListener {
-    fun arrived(from: Member, frame: ByteArray)
+    fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now; of several with one name the first one is the oldest. Calls are in order. */
-    fun viewed(members: List<Member>)
+    /** [members] are in touch now; of several members with one name the oldest comes first. Views come in their order. */
+    fun viewed(members: List<Computer>)
 }
 
 /** The thread of a cluster. */

@@ -10,8 +10,8 @@ import java.util.concurrent.CompletionStage
  * @param hosts the computers of the fleet; empty: not known
  */
 internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
-    /** The session with another member, kept while it may come back. */
-    private inner class Peer(member: Member) {
+    /** The session with another member, which is kept as long as that member may come back. */
+    private inner class Peer(member: Computer) {
         val outgoing = Outgoing(member.name, nextPiece)
         val incoming = Incoming()
         var isUnanswered = false
@@ -19,8 +19,8 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     }
 
     private val lock = Any()
-    private val peers = LinkedHashMap<Member, Peer>()
-    private var members = listOf<Member>()
+    private val peers = LinkedHashMap<Computer, Peer>()
+    private var members = listOf<Computer>()
 
     /** Higher than the number of any piece sent before, so that no receiver takes pieces of a new session for repeated ones. */
     private var nextPiece = 1L
@@ -29,14 +29,9 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private lateinit var listener: ClusterListener
 
     @Volatile
-    private var view = ClusterView(mapOf(group.here.name to computer(group.here)), false)
-
-    @Volatile
     private var isClosed = false
 
     override val here: String get() = group.here.name
-    override val computers: Map<String, Computer> get() = view.computers
-    override val hasMajority: Boolean get() = view.hasMajority
 
     override fun listen(listener: ClusterListener) {
         check(!this::listener.isInitialized) { "the cluster has a listener already" }
@@ -52,7 +47,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
             when {
                 isClosed || member == null ->
                     return CompletableFuture.failedFuture(Unreachable("the computer $to is not in touch with $here"))
-                member == group.here -> loop.execute { end(Outgoing.End(done, handOver(here, message)?.let(::Refused))) }
+                member == group.here -> loop.execute { end(Outgoing.End(done, handOver(here, message))) }
                 else -> try {
                     peers.getValue(member).outgoing.add(message, done)
                     transmitDue(member)
@@ -67,12 +62,12 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     /** Returns the member called [name]. Of two members with one name, returns the older until it is gone: the newer may be a mistake. */
     private fun called(name: String) = members.firstOrNull { it.name == name }
 
-    private fun transmitDue(member: Member) {
+    private fun transmitDue(member: Computer) {
         peers.getValue(member).outgoing.due(loop.now()).forEach { group.transmit(member, it.bytes()) }
     }
 
-    override fun arrived(from: Member, frame: ByteArray): Unit = synchronized(lock) {
-        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // it sends again until each has the other in its view
+    override fun arrived(from: Computer, frame: ByteArray): Unit = synchronized(lock) {
+        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // the sender will repeat the frame
         try {
             when (val news = Frame.of(frame)) {
                 is Frame.Piece -> take(from, peer, news)
@@ -88,7 +83,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         }
     }
 
-    private fun take(from: Member, peer: Peer, piece: Frame.Piece) {
+    private fun take(from: Computer, peer: Peer, piece: Frame.Piece) {
         val outcome = peer.incoming.take(piece)
         outcome.answer?.let { group.transmit(from, it.bytes()) }
         outcome.message?.let { message ->
@@ -97,10 +92,10 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         }
     }
 
-    private fun handOver(from: Member, peer: Peer, message: Incoming.Message) {
+    private fun handOver(from: Computer, peer: Peer, message: Incoming.Message) {
         val refusal = handOver(from.name, message.content)
         synchronized(lock) {
-            peer.incoming.taken(message.number, refusal)
+            peer.incoming.taken(message.number, refusal?.line)
             peer.isUnanswered = true
             unanswered--
             if (unanswered == 0 || message.number % ANSWER_EVERY == 0L) answerAll()
@@ -114,34 +109,33 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         group.transmit(member, peer.incoming.acknowledgement().bytes())
     }
 
-    private fun handOver(from: String, message: ByteArray): String? = try {
+    private fun handOver(from: String, message: ByteArray): Refused? = try {
         listener.message(from, message)
         null
     } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
-        e.message ?: e.toString()
+        Refused.of(e)
     }
 
     private fun end(end: Outgoing.End) {
         if (end.failure == null) end.done.complete(null) else end.done.completeExceptionally(end.failure)
     }
 
-    override fun viewed(members: List<Member>): Unit = synchronized(lock) {
+    override fun viewed(members: List<Computer>): Unit = synchronized(lock) {
         if (isClosed) return
         val lost = this.members.filter { it !in members }.flatMap { giveUp(it, "the computer ${it.name} was lost before it acknowledged") }
         this.members = members
         members.filter { it != group.here && it !in peers }.forEach { peers[it] = Peer(it) }
         forgetOld()
         rivalSince = if (members.none(::isOlderRival)) null else rivalSince ?: loop.now()
-        val computers = members.asReversed().associate { it.name to computer(it) }
+        val computers = members.asReversed().associateBy { it.name }
         val next = ClusterView(computers, hosts.count { it in computers } * 2 > hosts.size)
         loop.execute {
             lost.forEach(::end)
-            view = next
             tell { listener.changed(next) }
         }
     }
 
-    private fun giveUp(member: Member, reason: String): List<Outgoing.End> {
+    private fun giveUp(member: Computer, reason: String): List<Outgoing.End> {
         val outgoing = peers[member]?.outgoing ?: return emptyList()
         nextPiece = maxOf(nextPiece, outgoing.next)
         return outgoing.giveUp(reason)
@@ -153,8 +147,8 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
     }
 
-    /** A computer of this name that was there before: the program that ran here until a moment ago, or another computer. */
-    private fun isOlderRival(member: Member) =
+    /** Returns true if [member] has this computer's name and is older: this program's last run, or another computer. */
+    private fun isOlderRival(member: Computer) =
         member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
 
     private fun tick() {
@@ -203,7 +197,5 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         /** The time within which the end of this program's last run is certainly noticed. */
         const val RIVAL_NANOS = 5_000_000_000L
         const val MAX_GONE = 256
-
-        fun computer(member: Member) = Computer(member.name, member.session)
     }
 }

@@ -32,10 +32,10 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
 
     /** The members of the last view, by address, and below the reverse. */
     @Volatile
-    private var members = mapOf<Address, Member>()
+    private var members = mapOf<Address, Computer>()
 
     @Volatile
-    private var addresses = mapOf<Member, Address>()
+    private var addresses = mapOf<Computer, Address>()
 
     override val here = memberOf(address)
 
@@ -75,7 +75,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
         if (message is BytesMessage) listener.arrived(from, message.array.copyOfRange(message.offset, message.offset + message.length))
     }
 
-    override fun transmit(to: Member, frame: ByteArray) {
+    override fun transmit(to: Computer, frame: ByteArray) {
         val destination = addresses[to] ?: return
         try {
             channel.send(BytesMessage(destination, frame).setFlag(Message.Flag.NO_RELIABILITY))
@@ -86,9 +86,9 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
 
     override fun close() = channel.close()
 
-    private fun memberOf(address: Address): Member {
+    private fun memberOf(address: Address): Computer {
         val name = (address as? ExtendedUUID)?.get(NAME)?.let { String(it) }
-        return Member(name ?: "?", (address as? org.jgroups.util.UUID)?.toStringLong() ?: address.toString())
+        return Computer(name ?: "?", (address as? org.jgroups.util.UUID)?.toStringLong() ?: address.toString())
     }
 
     private companion object {

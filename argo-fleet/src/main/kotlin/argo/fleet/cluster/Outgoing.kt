@@ -79,7 +79,7 @@ internal class Outgoing(private val to: String, first: Long) {
             val piece = waiting.removeFirst()
             forget(piece)
             patience = FIRST_PATIENCE_NANOS
-            piece.done?.let { ends += End(it, news.refusals[piece.number]?.let(::Refused)) }
+            piece.done?.let { ends += End(it, news.refusals[piece.number]?.let(Refused::of)) }
         }
         if (isLost(news, now)) goBack(news.arrived, now)
         return ends

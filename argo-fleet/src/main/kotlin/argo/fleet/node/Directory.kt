@@ -1,10 +1,16 @@
 package argo.fleet.node
 
-/** The agents and services of a computer. Immutable. */
-internal data class Roster(val agents: Set<String> = emptySet(), val offers: Set<Offer> = emptySet()) {
+/**
+ * The agents and services of a computer. Immutable.
+ *
+ * @property unable agents that outlive their computer, and that this computer cannot start
+ */
+internal data class Roster(
+    val agents: Set<String> = emptySet(), val offers: Set<Offer> = emptySet(), val unable: Set<String> = emptySet(),
+) {
     fun with(news: RosterNews): Roster {
-        val (oldAgents, oldOffers) = if (news.isWhole) emptySet<String>() to emptySet() else agents to offers
-        return Roster(oldAgents - news.gone + news.came, oldOffers - news.withdrawn + news.offered)
+        val old = if (news.isWhole) Roster() else this
+        return Roster(old.agents - news.gone + news.came, old.offers - news.withdrawn + news.offered, old.unable + news.unable)
     }
 }
 
@@ -15,7 +21,7 @@ internal sealed interface Place {
     /** On another computer, which is in touch. */
     data class There(val computer: String) : Place
 
-    /** On one of [computers], none of which is in touch, or which does not run it yet. */
+    /** On one of [computers]. Each of these is off, has not told its agents yet, or does not run this agent. */
     data class Off(val computers: List<String>) : Place
 
     data object Unknown : Place
@@ -52,7 +58,12 @@ internal data class Directory(
 
     fun roster(computer: String): Roster = rosters[computer] ?: Roster()
 
-    /** Returns the place of [agent]. Of equal names on several computers, this computer's comes first, then the least computer's. */
+    /** Returns true if [computer] is in touch, and has told its agents. */
+    fun isMet(computer: String): Boolean = computer in inTouch && (computer == here || computer in rosters)
+
+    fun runs(agent: String, computer: String): Boolean = isMet(computer) && agent in roster(computer).agents
+
+    /** Returns the place of [agent]. If several computers have such an agent, prefers this one, then the first by name. */
     fun find(agent: String): Place {
         val owner = owners[agent]
         if (owner != null) return if (owner == here) Place.Here else Place.There(owner)
@@ -64,7 +75,7 @@ internal data class Directory(
     /** Returns the computers that the project names for [agent]; empty if it names only one, and that one does not run [agent] any more. */
     private fun expected(agent: String): List<String> {
         val computers = planned[agent].orEmpty()
-        val hasEnded = computers.size == 1 && computers.single().let { it in inTouch && it in rosters }
+        val hasEnded = computers.size == 1 && isMet(computers.single())
         return if (hasEnded) emptyList() else computers
     }
 

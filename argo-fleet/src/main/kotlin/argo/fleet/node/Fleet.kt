@@ -36,17 +36,20 @@ internal interface LocalAgents {
  * Safe for use by several threads, never blocks.
  *
  * @param planned the agents of the project, each with the computers that it may run on
+ * @property views the ports of live views of agents of the project
  */
 internal class Fleet(
     private val cluster: Cluster,
     planned: Map<String, List<String>>,
     hosts: Set<String>,
     private val log: Logger,
+    val views: Map<String, Int> = emptyMap(),
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
-    private val sessions = HashMap<String, String>() // the last ones of all computers; the cluster's thread
-    private val told = ConcurrentHashMap.newKeySet<String>() // what the log has said once
+    private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
+    private val told = ConcurrentHashMap.newKeySet<String>() // lines that the log must not repeat
+    private val met = CompletableFuture<Unit>()
 
     /** The present places of agents and services. */
     @Volatile
@@ -60,6 +63,11 @@ internal class Fleet(
         this.agents = agents
         this.leases = leases
         cluster.listen(Listener())
+    }
+
+    /** Waits until all computers that are in touch now have told their agents, at most [millis] ms. */
+    fun awaitOthers(millis: Long) {
+        met.completeOnTimeout(Unit, millis, TimeUnit.MILLISECONDS).join()
     }
 
     /** Sends [message] to another [computer]; completes or fails as [Cluster.send] does. */
@@ -80,6 +88,9 @@ internal class Fleet(
     fun gone(agent: String) = synchronized(this) {
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
+
+    /** Notes that this computer cannot start [agent], which outlives its computer, so that others do. */
+    fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
 
@@ -105,7 +116,7 @@ internal class Fleet(
     private fun tellAll(computer: String, asksBack: Boolean = false) = synchronized(this) {
         if (computer !in directory.inTouch) return@synchronized
         val mine = directory.roster(here)
-        val whole = RosterNews(isWhole = true, came = mine.agents, offered = mine.offers, asksBack = asksBack)
+        val whole = RosterNews(isWhole = true, came = mine.agents, offered = mine.offers, unable = mine.unable, asksBack = asksBack)
         repeatIfLost(computer, send(computer, whole))
     }
 
@@ -126,6 +137,10 @@ internal class Fleet(
         if (::agents.isInitialized && directory != before) agents.directoryChanged(before, directory)
     }
 
+    private fun noteMet() {
+        if (directory.run { inTouch.all(::isMet) }) met.complete(Unit)
+    }
+
     private fun once(line: String) {
         if (told.size < MOST_TOLD && told.add(line)) log.severe(line)
     }
@@ -136,10 +151,10 @@ internal class Fleet(
                 FleetMessage.decode(message)
             } catch (unreadable: UnreadableMessage) {
                 once("a message of $from is refused: ${unreadable.message}")
-                throw unreadable
+                throw Refused(NOT_READABLE, unreadable.message)
             }
             when (read) {
-                is Say -> take(read)
+                is Say -> take(from, read)
                 is RosterNews -> take(from, read)
                 is Kill -> agents.kill(read)
                 is Stop -> agents.stop(read)
@@ -147,8 +162,12 @@ internal class Fleet(
             }
         }
 
-        private fun take(message: Say) {
-            if (leases.isOutdated(message)) throw Refused("${message.from} runs on another computer now")
+        private fun take(from: String, message: Say) {
+            if (leases.isOutdated(message)) throw Refused("moved", "${message.from} runs on another computer now")
+            if (message.from !in directory.roster(from).agents) {
+                once("a message of ${message.from} is refused: it comes from $from, which has no such agent")
+                throw Refused("not_sender", "$from has no agent ${message.from}")
+            }
             agents.take(message)
         }
 
@@ -157,6 +176,7 @@ internal class Fleet(
                 once("an agent called $it runs here and on $from: these send to their own one, others to that of ${minOf(here, from)}")
             }
             change { it.with(from, news) }
+            noteMet()
             if (news.asksBack) tellAll(from)
         }
 
@@ -167,7 +187,8 @@ internal class Fleet(
                 val come = others.filter { it in begun || it.name !in directory.inTouch }
                 // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
+                noteMet()
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may not know that this one lacks its roster
             }
             leases.changed(view)
         }
@@ -186,12 +207,16 @@ internal class Fleet(
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
 /** Returns the failure of a message to [agent], since no computer in touch runs [agent]. */
-internal fun unreachable(agent: String, place: Place.Off, inTouch: Set<String>): Unreachable {
-    val off = place.computers - inTouch
-    val reason = when (off.size) {
-        0 -> "none of ${place.computers.joinToString(" and ")} runs it now"
-        1 -> "${off.single()} is off"
-        else -> "${off.joinToString(" and ")} are off"
+internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unreachable {
+    val off = place.computers - now.inTouch
+    val unmet = place.computers.filter { it in now.inTouch && !now.isMet(it) }
+    val reason = when {
+        unmet.isNotEmpty() -> "${unmet.joinToString(" and ")} has not told its agents yet"
+        off.isEmpty() -> "none of ${place.computers.joinToString(" and ")} runs it now"
+        else -> "${off.joinToString(" and ")} ${if (off.size == 1) "is" else "are"} off"
     }
     return Unreachable("$agent cannot be reached: $reason")
 }
+
+/** The error of a message that has arrived, but cannot be read. */
+internal const val NOT_READABLE = "not_readable"

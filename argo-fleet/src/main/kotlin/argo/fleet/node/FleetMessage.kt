@@ -59,8 +59,9 @@ internal data class Offer(val agent: String, val service: String)
 /**
  * The agents and services of the sending computer.
  *
- * @property isWhole whether these are all of them; else they are the changes since the last message of this kind
- * @property asksBack whether the sender wants all of the receiver's, since it knows none
+ * @property isWhole true: these are all agents and services; false: only the changes since the last roster
+ * @property unable the agents that outlive their computers and that the sender cannot start
+ * @property asksBack whether the receiver must send its own roster, since the sender does not know it
  */
 @Serializable
 @SerialName("roster")
@@ -70,6 +71,7 @@ internal data class RosterNews(
     val gone: Set<String> = emptySet(),
     val offered: Set<Offer> = emptySet(),
     val withdrawn: Set<Offer> = emptySet(),
+    val unable: Set<String> = emptySet(),
     val asksBack: Boolean = false,
 ) : FleetMessage
 

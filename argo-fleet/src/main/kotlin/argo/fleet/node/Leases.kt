@@ -2,6 +2,9 @@ package argo.fleet.node
 
 import argo.fleet.cluster.ClusterView
 import argo.fleet.cluster.Refused
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionStage
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.Executors
 import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.TimeUnit
@@ -11,7 +14,10 @@ import kotlin.random.Random
 
 /** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
-    /** Starts [agent] with [mind]; null: it is not known what it believed, or this is its first start. */
+    /**
+     * Starts [agent] with [mind]; null: the agent's mind is not known, or this is its first start. If starting fails, calls
+     * [Leases.cannotStart] later.
+     */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
     /** Stops [agent] at once. */
@@ -43,6 +49,7 @@ internal class Leases(
     private val held = planned.mapValues { (agent, computers) ->
         Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
     }
+    private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>() // computers, each with an agent whose mind it lacks
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
         Thread(work, "argo-fleet-leases").apply { isDaemon = true }
     }
@@ -61,13 +68,13 @@ internal class Leases(
             is Claim -> held(message.agent).answer(from, message)
             is Grant -> held(message.agent).lease.take(from, message)
             is MindNews -> held(message.agent).take(message)
-            else -> throw Refused("$message is not about an agent that outlives its computer")
+            else -> throw Refused("not_leased", "$message is not about an agent that outlives its computer")
         }
         Unit
     }
 
     private fun held(agent: String) = held[agent]
-        ?: throw Refused("$agent outlives no computer by the project of ${fleet.here}; all computers need the same project")
+        ?: throw Refused("not_leased", "$agent outlives no computer by the project of ${fleet.here}; all computers need the same project")
 
     fun changed(view: ClusterView) {
         hasMajority = view.hasMajority
@@ -78,17 +85,28 @@ internal class Leases(
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and tells it to all others in touch: of those that grant the agent to its next
-     * computer, at least one has it. Any thread.
+     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So of the computers that grant the
+     * agent to its next computer, at least one has the mind. Any thread.
+     *
+     * @return completed when all of these have the mind; fails if one has not got it, which the log tells once until it has
      */
-    fun keep(mind: MindNews) {
+    fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }
-        fleet.sendOthers(mind).forEach { (computer, end) ->
-            end.exceptionally { failed ->
-                log.warning("$computer has not got what ${mind.agent} believes: ${failed.message}")
-                null
-            }
+        val ends = fleet.sendOthers(mind).map { (computer, end) ->
+            end.whenComplete { _, failed ->
+                if (failed == null) behind -= computer to mind.agent
+                else if (behind.add(computer to mind.agent)) {
+                    log.warning("$computer has not got what ${mind.agent} believes, and is told again: ${failed.reason().message}")
+                }
+            }.toCompletableFuture()
         }
+        return CompletableFuture.allOf(*ends.toTypedArray())
+    }
+
+    /** Gives up [agent] in its [reign], since this computer cannot run it, so that the next computer runs it. Any thread. */
+    fun cannotStart(agent: String, reign: Reign) {
+        synchronized(this) { held(agent).giveUp(reign) }
+        fleet.cannotStart(agent)
     }
 
     override fun close() {
@@ -123,13 +141,19 @@ internal class Leases(
         fun tick() {
             val running = reign
             if (running != null && !running.isValid()) {
-                log.severe("$agent stops here: most computers of the fleet are out of touch, and another one may run it now")
+                log.severe("$agent stops here: most computers of the fleet have not confirmed in time that it may run; another may")
                 reign = null
                 lease.giveUp()
                 agents.stop(agent)
             }
             if (reign != null || isMine()) claim()
             if (reign == null && lease.ownTerm != 0L && lease.mayRun()) begin()
+        }
+
+        fun giveUp(failed: Reign) {
+            if (reign !== failed) return
+            reign = null
+            lease.giveUp()
         }
 
         private fun begin() {
@@ -145,7 +169,8 @@ internal class Leases(
             val isMissing = hasMajority && fleet.directory.find(agent) is Place.Off
             if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
             val since = missingSince ?: return false.also { lease.giveUp() }
-            val first = computers.first { it in fleet.directory.inTouch }
+            val directory = fleet.directory
+            val first = computers.find { it in directory.inTouch && agent !in directory.roster(it).unable }
             // computers that begin together find each other first
             return first == fleet.here && (first == computers.first() || nanos() - since > PATIENCE_NS || nanos() - start > BEGINNING_NS)
         }

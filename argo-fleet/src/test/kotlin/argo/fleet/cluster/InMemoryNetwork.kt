@@ -7,8 +7,8 @@ package argo.fleet.cluster
  * @param hosts the computers that the fleet consists of
  * @param isLost whether a frame gets lost on its way
  */
-internal class InMemoryNetwork(private val hosts: Set<String>, private val isLost: (Member, Member) -> Boolean = { _, _ -> false }) {
-    private inner class Node(override val here: Member) : Group, Loop {
+internal class InMemoryNetwork(private val hosts: Set<String>, private val isLost: (Computer, Computer) -> Boolean = { _, _ -> false }) {
+    private inner class Node(override val here: Computer) : Group, Loop {
         private val repeated = mutableListOf<() -> Unit>()
         var listener: GroupListener? = null
         val isUp get() = listener != null
@@ -18,7 +18,7 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
             tellViews()
         }
 
-        override fun transmit(to: Member, frame: ByteArray) {
+        override fun transmit(to: Computer, frame: ByteArray) {
             val copy = frame.copyOf()
             if (!isUp) return
             enqueue { nodes.lastOrNull { it.here == to && reaches(this, it) && !isLost(here, to) }?.listener?.arrived(here, copy) }
@@ -51,7 +51,7 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
     /** A computer starts its program, also once more. It joins with [Cluster.listen]. */
     @Synchronized
     fun join(name: String): Cluster {
-        val node = Node(Member(name, "session ${++starts}"))
+        val node = Node(Computer(name, "session ${++starts}"))
         nodes += node
         return GroupCluster(node, hosts, node)
     }

@@ -12,7 +12,7 @@ internal class Log : ClusterListener {
     fun from(name: String): List<String> = messages.filter { it.first == name }.map { it.second }
 
     override fun message(from: String, message: ByteArray) {
-        if (String(message) == "no") throw IllegalStateException("I do not want it")
+        if (String(message) == "no") throw Refused("unwanted", "I do not want it")
         messages += from to String(message)
     }
 

@@ -27,6 +27,13 @@ class OutgoingIncomingSpec : FunSpec({
         }
     }
 
+    test("a refusal reads as it was written, and any other words have an error too") {
+        fun read(line: String) = Refused.of(line).run { listOf(error, message) }
+        read(Refused("no_agent", "there is no agent\nb").line) shouldBe listOf("no_agent", "there is no agent\nb")
+        read("Who are you?") shouldBe listOf("refused", "Who are you?")
+        Refused.of(IllegalStateException("broken")).run { listOf(error, message) } shouldBe listOf("refused", "broken")
+    }
+
     test("bytes that are no frame are refused, whatever they are") {
         checkAll(Arb.byteArray(Arb.int(0..40), Arb.byte())) { bytes ->
             runCatching { Frame.of(bytes) }.exceptionOrNull()?.let { (it is IllegalArgumentException) shouldBe true }

@@ -29,6 +29,14 @@ class DirectorySpec : FunSpec({
         Directory("base", planned = mapOf("scout" to listOf("scout1"))).find("scout") shouldBe Place.Off(listOf("scout1"))
     }
 
+    test("a computer is met when it is in touch and has told its agents") {
+        val now = directory.with(setOf("base", "scout1", "scout2"))
+        listOf("base", "scout1", "scout2").map(now::isMet) shouldBe listOf(true, true, false)
+        directory.isMet("scout1") shouldBe false
+        unreachable("x", Place.Off(listOf("scout2")), now).message shouldBe "x cannot be reached: scout2 has not told its agents yet"
+        unreachable("x", Place.Off(listOf("scout2")), directory).message shouldBe "x cannot be reached: scout2 is off"
+    }
+
     test("changes of a roster add up, and a whole one replaces them") {
         val changed = directory.with(setOf("base", "scout1")).with("scout1", RosterNews(came = setOf("new"), gone = setOf("guest")))
         changed.names shouldBe setOf("boss", "scout", "new")

@@ -19,7 +19,7 @@ class FleetMessageSpec : FunSpec({
         Say("mid1", "samid2", "tell", "a", "b", "x(\"ä\\n\")[source(a)]", 3),
         Say(null, null, "achieve", "a", "b", "g"),
         RosterNews(isWhole = true, came = setOf("a", "b"), offered = setOf(Offer("a", "sells(x)"))),
-        RosterNews(gone = setOf("a"), withdrawn = setOf(Offer("a", "s"))),
+        RosterNews(gone = setOf("a"), withdrawn = setOf(Offer("a", "s")), unable = setOf("m")),
         Kill("a", "b", 100),
         Stop(0, true, 3),
         Claim("a", 1, 2),

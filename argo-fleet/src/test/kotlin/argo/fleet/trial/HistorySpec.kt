@@ -36,10 +36,9 @@ class HistorySpec : FunSpec({
         faults("a#1 SENT b 1", "a#1 TAKEN 1") shouldBe listOf("message 1 of a#1 ended as taken, and nobody took it")
     }
 
-    test("an agent that runs twice at a time is a fault, one that moves is none") {
-        faults("a#1 BEGAN coordinator", "a#1 ENDED coordinator", "b#1 BEGAN coordinator", "a#1 BEGAN other") shouldBe emptyList()
-        faults("a#1 BEGAN coordinator", "a#1 CRASHED", "b#1 BEGAN coordinator") shouldBe emptyList()
-        faults("a#1 BEGAN coordinator", "b#1 BEGAN coordinator", "a#1 ENDED coordinator") shouldBe
-            listOf("coordinator ran on a#1 and on b#1 for 1 microseconds")
+    test("an agent that acts after its next reign has begun to act is a fault, one that moves is none") {
+        faults("a#1 ACTED m 1", "a#1 ACTED m 1", "b#1 ACTED m 2", "a#1 ACTED other 1", "a#1 ACTED m 3") shouldBe emptyList()
+        faults("a#1 ACTED m 1", "b#1 ACTED m 2", "a#1 ACTED m 1", "b#1 ACTED m 2") shouldBe
+            listOf("m acted on a#1 1 microseconds after its next reign, on b#1, had begun to act")
     }
 })

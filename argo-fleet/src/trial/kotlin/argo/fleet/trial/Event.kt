@@ -14,8 +14,8 @@ enum class Kind {
     /** A new view: the names of its computers. */
     VIEWED,
 
-    /** An agent that outlives its computer begins to run here, or stops: the agent's name. */
-    BEGAN, ENDED,
+    /** An agent that outlives its computer has acted here: its name, and the term of its reign. Each new reign has a greater term. */
+    ACTED,
 
     /** All messages have ended, and nothing follows; or somebody else has noted that the program was killed. */
     FINISHED, CRASHED,

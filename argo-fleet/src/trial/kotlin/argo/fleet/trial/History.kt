@@ -5,16 +5,13 @@ package argo.fleet.trial
  *
  * - each message is taken once at most, only by its receiver, and messages of one session in the order of sending;
  * - each message has one end, unless its sender crashed; a message that ended as taken was taken;
- * - an agent that outlives its computer never runs twice at a time.
+ * - an agent that outlives its computer never acts twice at a time.
  */
 class History(events: List<Event>) {
     private data class Message(val session: String, val number: Long)
     private class Taking(val by: String, val message: Message)
-    private class Run(val agent: String, val session: String, val from: Long, val to: Long)
 
     private val bySession = events.sortedBy { it.nanos }.groupBy { it.session }
-    private val crashes = events.filter { it.kind == Kind.CRASHED }.associate { it.session to it.nanos }
-    private val end = events.maxOfOrNull { it.nanos } ?: 0
     private val receivers = events.filter { it.kind == Kind.SENT }.associate { Message(it.session, it.about[1].toLong()) to it.about[0] }
     private val takings = bySession.values.flatten().filter { it.kind == Kind.TOOK }
         .map { Taking(it.session, Message(it.about[0], it.about[1].toLong())) }
@@ -54,16 +51,17 @@ class History(events: List<Event>) {
         }
     }
 
-    private fun twice() = bySession.flatMap { (session, events) -> runs(session, events) }.groupBy { it.agent }.flatMap { (agent, runs) ->
-        runs.sortedBy { it.from }.zipWithNext().filter { (one, next) -> next.from < one.to }.map { (one, next) ->
-            "$agent ran on ${one.session} and on ${next.session} for ${(minOf(one.to, next.to) - next.from) / NANOS_PER_MICRO} microseconds"
+    /** An agent acts in one reign only at a time if none acts after one of a greater term has. */
+    private fun twice() = bySession.values.flatten().filter { it.kind == Kind.ACTED }.groupBy { it.about[0] }.flatMap { (agent, acts) ->
+        val sorted = acts.sortedBy { it.nanos }
+        val newest = sorted.runningReduce { before, act -> if (act.term > before.term) act else before }
+        sorted.zip(newest).filter { (act, newest) -> act.term < newest.term }.map { (act, newest) ->
+            "$agent acted on ${act.session} ${(act.nanos - newest.nanos) / NANOS_PER_MICRO} microseconds after its next reign, on " +
+                "${newest.session}, had begun to act"
         }
     }
 
-    private fun runs(session: String, events: List<Event>): List<Run> = events.filter { it.kind == Kind.BEGAN }.map { begin ->
-        val last = events.firstOrNull { it.kind == Kind.ENDED && it.about == begin.about && it.nanos >= begin.nanos }?.nanos
-        Run(begin.about[0], session, begin.nanos, last ?: crashes[session] ?: end)
-    }
+    private val Event.term get() = about[1].toLong()
 
     private fun Message.text() = "message $number of $session"
 

@@ -8,6 +8,12 @@ internal enum class Nature {
     PURE,
 
     /**
+     * The action's messages pass the [argo.boundary.Boundary], and in a fleet its intention waits until they have arrived. A replay carries
+     * the action out again, and has the intention wait as it was recorded.
+     */
+    SENDING,
+
+    /**
      * The action's messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay
      * carries the action out again.
      */
@@ -42,8 +48,9 @@ internal object JasonCode {
             queue.add queue.add_all queue.clear queue.copy queue.create queue.head queue.remove queue.to_list
             set.add set.add_all set.clear set.copy set.create set.difference set.intersection set.remove set.to_list set.union
         """,
+        Nature.SENDING to "broadcast send",
         Nature.BOUNDARY to """
-            at broadcast perceive send wait
+            at perceive wait
             act age can change_filter explain filter limit percepts port ports record reload skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.reload argo.skew
@@ -63,18 +70,23 @@ internal object JasonCode {
     /** Returns the nature of the class called [type]; null: it is not known. */
     fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
 
+    fun natureOf(type: Class<*>): Nature? = natureOf(typeOf(type).name)
+
+    /** Returns Jason's class in whose place [type] stands; [type] itself if it stands for none. */
+    fun typeOf(type: Class<*>): Class<*> = if (OfInfrastructure::class.java.isAssignableFrom(type)) type.superclass else type
+
     /** Returns true if a replay takes the recorded result of code of this [nature]. */
     fun isRecorded(nature: Nature) = nature == Nature.INPUT || nature == Nature.EFFECT
 
     fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
 
     /** Returns true if the class [type] belongs to Jason or ARGO, not to a project. */
-    fun isOwn(type: Class<*>): Boolean = type.packageName.let { it == "argo" || it.startsWith("jason.") }
+    fun isOwn(type: Class<*>): Boolean = typeOf(type).packageName.let { it == "argo" || it.startsWith("jason.") }
 
     /** Returns true if [code], an action or a function, belongs to Jason but is not in the table. */
-    fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
+    fun isUnknown(code: Any): Boolean = typeOf(code.javaClass).packageName.startsWith("jason.") && natureOf(code.javaClass) == null
 
-    fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(code.javaClass.name)
+    fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(typeOf(code.javaClass).name)
 
     private fun wordsOf(names: String) = names.trim().split(Regex("\\s+"))
 }

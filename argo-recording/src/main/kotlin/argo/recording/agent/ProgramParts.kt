@@ -28,7 +28,7 @@ internal class ProgramParts(val agent: Agent) {
 
     val size: Int get() = parts.size
 
-    /** Forgets the plans whose lines a reload has changed. They are then no parts of the program. */
+    /** Forgets the plans whose lines a reload has changed. These plans are then no parts of the program. */
     fun forgetMoved() = plans.indices.filter { plans[it].srcInfo !== places[it] }.forEach { forget(plans[it]) }
 
     private fun forget(plan: Plan) {

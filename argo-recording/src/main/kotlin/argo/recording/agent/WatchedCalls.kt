@@ -20,13 +20,25 @@ internal sealed interface Watched : Serializable {
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
+    private var isWaiting = false
 
-    private fun writeReplace(): Any = code
+    private fun writeReplace(): Any =
+        if (code is OfInfrastructure) JasonCode.typeOf(code.javaClass).getConstructor().newInstance() else code
 
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-        current(watch).call(InternalCall(name, args, un), kind()) { code.execute(ts, it, args) }
+    /** Has the intention wait if the watch suspends the call. A replay does so where the recorded intention waited for other computers. */
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        isWaiting = false
+        val call = InternalCall(name, args, un) {
+            AwaitedOutside.begin(ts)
+            isWaiting = true
+        }
+        return current(watch).call(call, kind()) { code.execute(ts, it, args) }
+    }
+
+    override fun suspendIntention() = isWaiting || code.suspendIntention()
 
     private fun kind() = when {
+        JasonCode.natureOf(code.javaClass) == Nature.SENDING -> WatchedKind.SENDING
         !isOfProject -> WatchedKind.OUTSIDE
         code.suspendIntention() -> WatchedKind.SUSPENDING
         else -> WatchedKind.PROJECT

@@ -25,14 +25,17 @@ import java.util.Collections
 import java.util.IdentityHashMap
 
 /** The owner of an internal action. */
-internal enum class WatchedKind {
-    /** Jason or ARGO. The results of the action come from outside. */
-    OUTSIDE,
+internal enum class WatchedKind(val isOfProject: Boolean) {
+    /** Jason or ARGO owns the action, whose results come from outside. */
+    OUTSIDE(false),
 
-    PROJECT,
+    /** Jason. See [Nature.SENDING]. */
+    SENDING(false),
+
+    PROJECT(true),
 
     /** The project. The intention then waits for another thread. */
-    SUSPENDING,
+    SUSPENDING(true),
 }
 
 /** Decides on each call of code whose results do not follow from the program. Belongs to the agent's thread. */
@@ -217,8 +220,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         /** Returns true if [code] must be watched and is not yet. Unknown code must be watched too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
-            !JasonCode.isOwn(code.javaClass) -> true
-            else -> JasonCode.natureOf(code.javaClass.name)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
+            !JasonCode.isOwn(code.javaClass) || code is OfInfrastructure -> true
+            else -> JasonCode.natureOf(code.javaClass)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
         }
     }
 }

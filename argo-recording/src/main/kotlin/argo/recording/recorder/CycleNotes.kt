@@ -90,6 +90,7 @@ internal class CycleNote(
     val ns: Long = notes.ns
 
     val percepts: Int get() = notes.percepts?.size ?: 0
+    val snapshots: List<PerceivedSnapshot> get() = notes.snapshots
 
     fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints, notes.refusal)
 }

@@ -277,12 +277,12 @@ internal class Recorder(
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val agent = current() ?: return live(call.un)
-        val note = CallNote(call.name, call.args, code != WatchedKind.OUTSIDE)
+        val note = CallNote(call.name, call.args, code.isOfProject)
         agent.now.calls += note
         val around = agent.now.underWay
         agent.now.underWay = note
         try {
-            return noting(note, call, if (code == WatchedKind.OUTSIDE) live(call.un) else ofProject(agent, call, code, live))
+            return noting(note, call, if (code.isOfProject) ofProject(agent, call, code, live) else live(call.un))
         } catch (failed: JasonException) {
             note.failure = callFailure(failed)
             throw failed

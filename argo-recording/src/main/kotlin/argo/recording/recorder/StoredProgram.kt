@@ -74,7 +74,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns the reason for which no replay can read the program [text]: the project's code reads a directive. Null: none does. */
+/** Returns the reason why no replay can read the program [text], namely that the project's code reads a directive; null: none. */
 internal fun foreignDirective(text: String): String? = (ProgramNames(text).directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
     val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
     type?.let { "the project's class ${it.name} reads its directive $directive" }

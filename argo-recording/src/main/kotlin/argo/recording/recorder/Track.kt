@@ -12,6 +12,7 @@ import argo.recording.RunningRecordings
 import argo.recording.agent.TermWriter
 import argo.recording.jsonSchema
 import argo.recording.lean
+import argo.recording.storage.Encoded
 import argo.recording.storage.RecordChannel
 import argo.recording.storage.RecordSink
 import argo.recording.texts
@@ -37,6 +38,7 @@ internal class Track(
     private val commands = channel("command", "argo.Command", CommandEnd.serializer())
     private val reflexes = channel("reflex", "argo.Reflex", ReflexEnd.serializer())
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
+    private val numbers = PerceptNumbers(agent, sink::channel) { warn("argo_record: $it") }
     private val isClosed = AtomicBoolean()
 
     /** The reasons of reported refusals. If several refusals are caused by the project's code, only the first is reported. */
@@ -55,7 +57,7 @@ internal class Track(
     private fun channel(name: String, schema: String, serializer: KSerializer<*>) =
         sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
 
-    fun cycle(note: CycleNote) = store(cycles, note.ns, CYCLE_BYTES + note.percepts * PERCEPT_BYTES) {
+    fun cycle(note: CycleNote) = store(cycles, note.ns, note.bytes, beside = { numbers.of(note.snapshots, offsetNs, note.ns + offsetNs) }) {
         val cycle = note.cycle()
         val refusal = refusalOfTerms(cycle.input) ?: cycle.refusal
         refusal?.let(::warnOf)
@@ -91,11 +93,20 @@ internal class Track(
         recording.leave()
     }
 
-    private fun store(channel: RecordChannel, ns: Long, bytes: Int, encode: () -> ByteArray) {
-        sink.offer(channel, ns + offsetNs, bytes, encode)
+    private fun store(
+        channel: RecordChannel,
+        ns: Long,
+        bytes: Int,
+        beside: () -> List<Encoded> = ::emptyList,
+        encode: () -> ByteArray,
+    ) {
+        sink.offer(channel, ns + offsetNs, bytes, beside, encode)
     }
 
     private fun <T> json(serializer: KSerializer<T>, value: T) = JSON.encodeToString(serializer, value).encodeToByteArray()
+
+    /** The approximate size of the texts of this. */
+    private val CycleNote.bytes get() = CYCLE_BYTES + percepts * PERCEPT_BYTES
 
     private companion object {
         val JSON = Json { encodeDefaults = false }

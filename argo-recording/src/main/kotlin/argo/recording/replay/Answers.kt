@@ -9,6 +9,7 @@ import argo.recording.Mail
 import argo.recording.agent.UnrecordableTerm
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.evaluationFailed
+import argo.recording.agent.exception
 import argo.recording.agent.termOf
 import argo.recording.agent.textOf
 import jason.JasonException
@@ -103,12 +104,26 @@ internal fun Call.valueOrFailure(): Double? {
 
 /** Gives [call] the result or failure of [recorded]. The intention is suspended within [suspending]. */
 internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: () -> Unit) -> Unit = { it() }): Any {
-    recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
+    recorded.failure?.let { throw it.exception() }
     if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()
     if (recorded.answers.isEmpty()) return false
     val suspend = call.suspend
-    if (suspend == null) bind(call, call.un, recorded.answers.first()) else suspending(suspend)
+    if (suspend == null || recorded.number == null) bind(call, call.un, recorded.answers.first()) else suspending(suspend)
     return true
+}
+
+/**
+ * Has [live] carry out [call], which sends a message. Then the intention waits or its plan fails, as [recorded]. Null: nothing was
+ * recorded, as without a fleet, where no intention waits.
+ */
+internal fun send(recorded: Call?, call: InternalCall, live: (Unifier) -> Any, suspending: (suspend: () -> Unit) -> Unit): Any {
+    val result = try {
+        live(call.un)
+    } catch (failed: JasonException) {
+        throw recorded?.failure?.exception() ?: failed
+    }
+    if (recorded?.number != null) call.suspend?.let(suspending)
+    return result
 }
 
 private fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->

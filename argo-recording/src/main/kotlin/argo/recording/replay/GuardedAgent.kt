@@ -2,6 +2,9 @@ package argo.recording.replay
 
 import argo.boundary.InternalCall
 import argo.recording.agent.CallWatch
+import argo.recording.agent.JasonCode
+import argo.recording.agent.Nature
+import argo.recording.agent.WatchedAction
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import jason.asSemantics.Agent
@@ -26,7 +29,9 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 
     override fun getIA(name: String): InternalAction {
         requireCode(if (name.startsWith('.')) "jason.stdlib$name" else name)
-        return WatchedCode.watched(name, super.getIA(name), watch)
+        val action = super.getIA(name)
+        if (JasonCode.natureOf(action.javaClass) == Nature.SENDING) return WatchedAction(JasonCode.nameOf(action), action, watch)
+        return WatchedCode.watched(name, action, watch)
     }
 
     override fun getFunction(name: String, arity: Int): ArithFunction? =
@@ -64,7 +69,7 @@ internal class LateWatch(private val isCarryingOut: Boolean) : CallWatch {
     var watch: CallWatch? = null
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any =
-        watch?.call(call, code, live) ?: if (isCarryingOut && code != WatchedKind.OUTSIDE) live(call.un) else false
+        watch?.call(call, code, live) ?: if (isCarryingOut && code.isOfProject) live(call.un) else false
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double =
         watch?.evaluate(name, args, isOfProject, live) ?: if (isOfProject && !isCarryingOut) Double.NaN else live()

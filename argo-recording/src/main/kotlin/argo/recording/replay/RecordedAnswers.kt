@@ -70,19 +70,22 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val recorded = take(call.name, call.args)
+        if (code == WatchedKind.SENDING) return send(recorded, call, live) { suspending(recorded, it) }
         if (recorded == null) {
             foundCall(normal("$call"))
-            return if (code == WatchedKind.OUTSIDE || !isChecking) false else live(call.un)
+            return if (code.isOfProject && isChecking) live(call.un) else false
         }
-        if (code != WatchedKind.OUTSIDE) projectCalls += call.name
+        if (code.isOfProject) projectCalls += call.name
         if (code == WatchedKind.SUSPENDING && isChecking) return live(call.un)
         if (code == WatchedKind.PROJECT && isChecking) compare(recorded, call, live)
-        return answer(recorded, call) { suspend ->
-            val around = underWay
-            underWay = recorded
-            suspend()
-            underWay = around
-        }
+        return answer(recorded, call) { suspending(recorded, it) }
+    }
+
+    private fun suspending(recorded: Call?, suspend: () -> Unit) {
+        val around = underWay
+        underWay = recorded
+        suspend()
+        underWay = around
     }
 
     private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {

@@ -175,7 +175,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         if (!isAsking) return reading("result of ${call.name}") { answers.call(call, code, live) } ?: false
         val recorded = asked(call.name, call.args)
-        return if (recorded == null || recorded.failure != null || call.suspend != null) false else answer(recorded, call)
+        return if (recorded == null || recorded.failure != null || recorded.number != null) false else answer(recorded, call)
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {

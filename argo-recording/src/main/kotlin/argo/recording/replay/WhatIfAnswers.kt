@@ -91,8 +91,12 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     override fun boardOf(percept: String): String? = boards[percept]
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
-        if (code != WatchedKind.OUTSIDE && isCarryingOut) return live(call.un)
+        if (code.isOfProject && isCarryingOut) return live(call.un)
         val args = call.args.map(::textOf)
+        if (code == WatchedKind.SENDING) {
+            val before = recorded.near(call.name, args, cycle.index, cycle.ns)
+            return send(before?.call, call, live) { suspending(before, it) }
+        }
         return when (call.name) {
             ACT -> act(call, recorded.near(ACT, args, cycle.index, cycle.ns))
             in LATE -> recorded.nearest(call.name, args, cycle.index, cycle.ns)?.let { answer(it, call) } ?: false
@@ -137,7 +141,9 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         placeOf(step.file, means.currentStep?.srcInfo?.srcLine ?: step.line)
     }
 
-    private fun answer(before: NearestRecordedCalls.Made, call: InternalCall): Any = answer(before.call, call) { suspend ->
+    private fun answer(before: NearestRecordedCalls.Made, call: InternalCall): Any = answer(before.call, call) { suspending(before, it) }
+
+    private fun suspending(before: NearestRecordedCalls.Made?, suspend: () -> Unit) {
         val around = underWay
         underWay = before
         suspend()

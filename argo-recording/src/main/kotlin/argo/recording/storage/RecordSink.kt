@@ -26,9 +26,16 @@ interface RecordSink : AutoCloseable {
      * Offers a message for storing, like the other [offer], but another thread makes its JSON.
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
-     * @param encode makes the JSON later, from objects that do not change; if it throws, the message becomes a gap
+     * @param beside makes further messages later, behind this one
+     * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
      */
-    fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean
+    fun offer(
+        channel: RecordChannel,
+        timeNs: Long,
+        bytes: Int,
+        beside: () -> List<Encoded> = ::emptyList,
+        encode: () -> ByteArray,
+    ): Boolean
 
     /** Adds a file, such as a program's text. A file is never dropped. */
     fun attach(name: String, mediaType: String, data: ByteArray)
@@ -45,6 +52,9 @@ interface RecordSink : AutoCloseable {
     /** Stores everything offered before, and ends the recording. Records offered later are not stored. May be called twice. */
     override fun close()
 }
+
+/** A message of [channel] at [timeNs] in ns, with the bytes of its JSON in UTF-8. */
+class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
 /** A channel of a [RecordSink], by its [topic]. */
 class RecordChannel internal constructor(val topic: String, internal val schemaName: String, internal val jsonSchema: String)

@@ -60,7 +60,7 @@ class RecordingFile internal constructor(
 
     private fun write(next: Waiting, writer: McapWriter, messages: ChannelWriter) {
         when (next) {
-            is Waiting.Message -> messages.message(next.encoded())
+            is Waiting.Message -> next.encoded().forEach(messages::message)
             is Waiting.Attachment -> writer.attachment(next.name, next.mediaType, next.data)
             is Waiting.Metadata -> writer.metadata(next.name, next.values)
             is Waiting.Flush -> store(writer)

@@ -44,7 +44,7 @@ class RecordingRing(
     }
 
     private fun keep(next: Waiting) = when (next) {
-        is Waiting.Message -> keep(next.encoded())
+        is Waiting.Message -> next.encoded().forEach(::keep)
         is Waiting.Flush -> Unit
         else -> lock.withLock { others += next }
     }

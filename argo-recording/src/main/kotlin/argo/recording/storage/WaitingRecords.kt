@@ -7,15 +7,21 @@ import kotlin.concurrent.withLock
 
 /** A record that waits for the writing thread, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** A message. [encode] makes its JSON, which takes about [bytes] bytes. */
-    class Message(val channel: RecordChannel, val timeNs: Long, val bytes: Int, private val encode: () -> ByteArray) : Waiting {
-        constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, gap::json)
+    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages behind it. */
+    class Message(
+        val channel: RecordChannel,
+        val timeNs: Long,
+        val bytes: Int,
+        private val beside: () -> List<Encoded> = ::emptyList,
+        private val encode: () -> ByteArray,
+    ) : Waiting {
+        constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, encode = gap::json)
 
-        /** Returns the message with its JSON; a gap if [encode] fails. */
-        fun encoded(): Encoded = try {
-            Encoded(channel, timeNs, encode())
+        /** Returns the message with its JSON, or a gap if [encode] fails, and the messages behind it. */
+        fun encoded(): List<Encoded> = try {
+            listOf(Encoded(channel, timeNs, encode())) + beside()
         } catch (_: Throwable) { // even a stack overflow by a deep term; the writing thread must go on
-            Gap.of(timeNs).encoded()
+            listOf(Gap.of(timeNs).encoded())
         }
     }
 
@@ -25,8 +31,6 @@ internal sealed interface Waiting {
 
     class Flush(val done: CountDownLatch) : Waiting
 }
-
-internal class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
 /** A recording whose records wait for its own writing thread. */
 abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSink {
@@ -40,9 +44,15 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
     final override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
         channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
 
-    final override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
+    final override fun offer(
+        channel: RecordChannel,
+        timeNs: Long,
+        bytes: Int,
+        beside: () -> List<Encoded>,
+        encode: () -> ByteArray,
+    ): Boolean {
         require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
+        return waiting.offer(Waiting.Message(channel, timeNs, bytes, beside, encode))
     }
 
     final override fun attach(name: String, mediaType: String, data: ByteArray) {

@@ -7,9 +7,10 @@ import kotlinx.serialization.Serializable
  *
  * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
- * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
- * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
- * @property had the counterfactuals: the agent's commands with another percept, if the question has one, or the search found one
+ * @property frame the frame whose percept began the intention or met the critical rule; null: there is none
+ * @property frames all frames that caused the command, [frame] first, then those of percepts in contexts and tests
+ * @property sent if the root is a message, its sending and earlier ones that led to it, in the given recordings, the nearest first
+ * @property had the counterfactuals: the agent's commands with another percept, from the question or found by the search
  */
 @Serializable
 data class Answer(
@@ -19,6 +20,28 @@ data class Answer(
     val frame: Frame? = null,
     val frames: List<Frame> = emptyList(),
     val had: List<Had> = emptyList(),
+    val sent: List<SentCause> = emptyList(),
+)
+
+/**
+ * The sending of a message, in the recording of its sender.
+ *
+ * @property file the recording
+ * @property agent the sender
+ * @property seconds the time of the sending, since the first cycle of [file]
+ * @property delayMs the time until the receiver took the message, in ms, corrected by the difference of both clocks; null: not known
+ * @property clock the difference between the clocks of [file] and the first recording, in words; null: it is the first
+ * @property cause the step that sent the message; null: not found, for the reason [trouble]
+ */
+@Serializable
+data class SentCause(
+    val file: String,
+    val agent: String,
+    val seconds: Double,
+    val delayMs: Double? = null,
+    val clock: String? = null,
+    val cause: StepCause? = null,
+    val trouble: String? = null,
 )
 
 /**

@@ -74,10 +74,21 @@ data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: St
     override val depth: Int = 1 + causes.size
 }
 
-/** A message of another agent. */
+/**
+ * A message of another agent.
+ *
+ * @property id the message's name
+ * @property seconds the beginning of the cycle in which the agent took the message
+ */
 @Serializable
 @SerialName("message")
-data class MessageCause(val sender: String, val performative: String, val content: String, val seconds: Double) : Cause
+data class MessageCause(
+    val sender: String,
+    val performative: String,
+    val content: String,
+    val seconds: Double,
+    val id: String = "",
+) : Cause
 
 /**
  * An order of a person to the agent.

@@ -52,6 +52,10 @@ internal class Trace(
 
     val issued = ArrayList<Issued>()
 
+    /** The steps that sent the messages of the last cycle, by the messages' names. */
+    var sent: Map<String, StepCause> = emptyMap()
+        private set
+
     /** The plan that the agent chose for the last event that was [taken]; null: none so far. */
     var chosen: PlanCause? = null
         private set
@@ -98,7 +102,7 @@ internal class Trace(
         option = ts.c.selectedOption
         selected = ts.c.selectedIntention
         step = null
-        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns)) }
+        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns), it.id) }
     }
 
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = inputs.orders(live) { order ->
@@ -168,6 +172,7 @@ internal class Trace(
         adoptSplit()
         notice { event -> step ?: UnknownCause(shown(event), "what added it was not seen") }
         event?.let(origins::remove)
+        sent = step?.let { by -> cycle.course.mail.associate { it.id to by } }.orEmpty()
         answers.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
         ts.c.action?.let { issue(null, normal("${it.actionTerm}")) }
         filters.changed(cycle.input.filters)

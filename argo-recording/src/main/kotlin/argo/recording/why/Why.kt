@@ -2,6 +2,7 @@ package argo.recording.why
 
 import argo.filters.matching.Explanation
 import argo.recording.Cycle
+import argo.recording.Mail
 import argo.recording.agent.literalOf
 import argo.recording.replay.ProgramFiles
 import argo.recording.replay.Recording
@@ -80,6 +81,24 @@ class Why(private val recording: Recording) : AutoCloseable {
         }
         return NotAnswer(agent, question.text, clock.seconds(last.ns), unchosen.plans(trace))
     }
+
+    /**
+     * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see the step.
+     * @throws RecordingException like [answer]
+     */
+    internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? {
+        requireReplayed(agent, cycle.index)
+        val filters = filtersOf(agent)
+        return trial(agent, cyclesOf(agent)).asRecorded(cycle.index) { inputs, answers -> Trace(inputs, answers, clock, filters) }.sent[id]
+    }
+
+    /** Returns the message of [cause], which [agent] has taken. */
+    internal fun mailOf(agent: String, cause: MessageCause): Mail? = cyclesOf(agent).asSequence()
+        .filter { clock.seconds(it.ns) == cause.seconds }.flatMap { it.input.mail }.find { it.id == cause.id && it.sender == cause.sender }
+
+    internal fun nanos(seconds: Double): Long = clock.nanos(seconds)
+
+    internal fun seconds(ns: Long): Double = clock.seconds(ns)
 
     private fun causeOf(command: RecordedCommand): StepCause? {
         val cycles = cyclesOf(command.agent)

@@ -137,10 +137,11 @@ internal class Commands(
 
     private fun limit(id: String, entry: Pending, limitMs: Int) {
         val ms = if (limitMs > 0) minOf(limitMs, entry.rule.withinMs) else entry.rule.withinMs
-        clock.schedule(TimeUnit.MILLISECONDS.toNanos(ms.toLong())) { timeIsOver(id, entry, ms) }
+        clock.schedule(TimeUnit.MILLISECONDS.toNanos(ms.toLong())) { timeIsOver(id, ms) } // does not keep the entry of an ended command
     }
 
-    private fun timeIsOver(id: String, entry: Pending, ms: Int) {
+    private fun timeIsOver(id: String, ms: Int) {
+        val entry = pending[id] ?: return
         abandon(id, entry, "has not left port $port within $ms ms", "the robot has not said it within $ms ms")
     }
 

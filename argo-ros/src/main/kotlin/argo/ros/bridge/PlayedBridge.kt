@@ -1,17 +1,29 @@
 package argo.ros.bridge
 
+import javino.LineClock
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.Executor
 
 /**
- * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed, with the
- * response that the test has set. There is no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and
- * action, with its name.
+ * A bridge within this program, for tests and for bags. The bridge answers at once, on the thread of the request. Services and goals
+ * succeed, with the response that the test has set. `rosapi` knows the topics and types of the bag.
+ *
+ * @param bag the bag whose messages are published; null: [publish] publishes messages
+ * @param worker reads the bag, one task at a time
+ * @param heard takes each message to a topic, and the request or goal of each service and action, with its name
  */
-internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
+internal class PlayedBridge(
+    private val listener: BridgeListener,
+    clock: LineClock,
+    private val bag: Bag? = null,
+    worker: Executor = Executor(Runnable::run),
+    private val heard: (name: String, message: String) -> Unit,
+) : Bridge {
+    private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, ::tell) }
     private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
     private val outbox = Outbox { text ->
@@ -42,12 +54,19 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
 
+    private fun isSubscribed(topic: String) = topic in subscribed
+
+    private fun tell(sentence: String) = listener.text(operation("status", "level" to "warning", "msg" to sentence))
+
     fun end() = listener.gone("the bridge has closed the connection")
 
     private fun answer(operation: JsonObject) {
         val topic = operation.text("topic").orEmpty()
         when (operation.text("op")) {
-            "subscribe" -> subscribed += topic
+            "subscribe" -> {
+                subscribed += topic
+                player?.subscribed(topic)
+            }
             "unsubscribe" -> subscribed -= topic
             "publish" -> published(topic, operation.part("msg") ?: return)
             "call_service" -> called(operation)
@@ -70,13 +89,17 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     private fun called(operation: JsonObject) {
         val service = operation.text("service").orEmpty()
-        val isKnown = !service.startsWith("/rosapi/")
-        if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = if (isKnown) responseOf(service) else JsonPrimitive("") // the refusal has no reason, since no test reads one
-        listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
+        val isOfApi = service.startsWith("/rosapi/")
+        val response = if (isOfApi) bag?.answer(service, operation.part("args") ?: return) else responseOf(service)
+        if (!isOfApi) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
+        val values = response ?: JsonPrimitive("") // the refusal has no reason, since no test reads one
+        listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to (response != null)))
     }
 
-    override fun close() = outbox.close()
+    override fun close() {
+        player?.close()
+        outbox.close()
+    }
 
     private companion object {
         const val GOAL = "/goal"

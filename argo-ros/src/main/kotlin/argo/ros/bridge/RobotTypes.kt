@@ -17,6 +17,8 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.fields
 import argo.ros.mapping.isRos2Action
+import argo.ros.mapping.literals
+import argo.ros.mapping.meantAsField
 import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
@@ -99,6 +101,7 @@ internal class RobotTypes(
             questions.flatMap(::problemsOf)
         }
         if (problems.isNotEmpty()) throw MappingException(problems)
+        tellEmpty()
     }
 
     private fun take(question: Question, answer: RosApi.Answer?, trouble: Throwable?) = synchronized(this) {
@@ -124,7 +127,10 @@ internal class RobotTypes(
                 warn("the bridge does not know the type $name, so the agent gets no percepts from its messages: $reason")
             mapping.commands.none { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so that no answer of this type comes: $reason")
-            else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
+            else -> {
+                val hint = if (question.service == MESSAGE) "; is it a service or an action? Then that word stands before its name" else ""
+                warn("the bridge does not know the type $name, so that no command with it leaves$hint: $reason")
+            }
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason
     }
@@ -136,12 +142,21 @@ internal class RobotTypes(
         val values = mapping.commands.filter { questionFor(it) == question }.flatMap { it.fields }
         val inRead = read.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
         val inCommands = values.mapNotNull { problem(it.place) { check(it, type) } }
-        return (inRead + inCommands).distinct()
+        val meant = perceptRules.filter { questionFor(it) == question }.flatMap { it.percept.literals() }.filter { type.has(it.functor) }
+        val inLiterals = meant.mapNotNull { literal ->
+            literal.place?.let { Problem(mapping.source, it.line, it.column, meantAsField(literal.functor, type.name)) }
+        }
+        return (inRead + inCommands + inLiterals).distinct()
+    }
+
+    /** Tells fields that commands leave empty, and robots need. */
+    private fun tellEmpty() = mapping.commands.forEach { rule ->
+        of(rule)?.emptyAmong(rule.fields.map { it.steps }).orEmpty().forEach { warn("${mapping.source}: line ${rule.place.line}: $it") }
     }
 
     private fun check(field: FieldValue, type: MessageType) {
         val isConstant = field.value !is Expression.Compound && field.value.fields().isEmpty()
-        if (isConstant) type.fit(field.steps, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.steps)
+        if (isConstant) type.fit(field.steps, field.value.valueIn(NOTHING).asJson()) else type.requireNoMessage(field.steps)
     }
 
     private fun problem(place: Place, work: () -> Unit): Problem? = try {

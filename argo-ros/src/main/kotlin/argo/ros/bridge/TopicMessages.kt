@@ -28,17 +28,12 @@ internal class TopicMessages(
 
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
 
-    /** A percept that a message had when it came. */
-    private class Made(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
-
     private val newest = HashMap<String, Newest>()
     private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
     private val unthrottled = eachRules.keys + rules.filter { it.frames != null }.map { it.topic }
     private val changing = rules.filter { !it.needsEach }.map { it.topic }.toSet()
-    private val lasting = HashMap<PerceptRule, Made>() // the newest percept of each rule with a time
-    private val events = ArrayDeque<Made>() // percepts of which each is an event, the oldest first
-    private var lastEvent: String? = null // the event in the message before; null: it had none
-    private var lost = 0L
+    private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with a time
+    private val events = PerceptEvents(warn)
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
@@ -50,28 +45,22 @@ internal class TopicMessages(
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
         val last = Newest(message, trueNanos, receivedNanos)
         newest[topic] = last
-        eachRules[topic]?.forEach { rule -> textOf(rule, message)?.let { made(rule, Made(topic, it, trueNanos, receivedNanos)) } }
+        eachRules[topic]?.forEach { rule -> textOf(rule, message)?.let { made(rule, Percept(topic, it, trueNanos, receivedNanos)) } }
         if (topic in unthrottled) isNewSoon = isNewSoon || topic in changing else isNew = true
     }
 
-    private fun made(rule: PerceptRule, percept: Made) {
-        if (!rule.isOfEach) {
-            val before = lasting.put(rule, percept)
-            val endNanos = before?.receivedNanos?.plus(nanosOf(checkNotNull(rule.forMs)))
-            if (before?.text != percept.text || endNanos == null || percept.receivedNanos - endNanos >= 0) isNew = true
-            return
-        }
-        events += percept
-        if (events.size <= MAX_EVENTS) return
-        val topic = events.removeFirst().topic
-        if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
+    private fun made(rule: PerceptRule, percept: Percept) {
+        if (rule.isOfEach) return events.add(percept)
+        val before = lasting.put(rule, percept)
+        val endNanos = before?.receivedNanos?.plus(nanosOf(checkNotNull(rule.forMs)))
+        if (before?.text != percept.text || endNanos == null || percept.receivedNanos - endNanos >= 0) isNew = true
     }
 
     fun keepOnly(topics: Collection<String>) {
         val kept = topics.toSet()
         if (newest.keys.retainAll(kept)) isNew = true
         lasting.keys.removeIf { it.topic !in kept }
-        events.removeIf { it.topic !in kept }
+        events.keepOnly(kept)
     }
 
     /** Returns true if there is a message of [topic]. */
@@ -91,8 +80,7 @@ internal class TopicMessages(
     }
 
     /** Returns true if [take] would return new percepts at [nowNanos]. */
-    fun hasNews(nowNanos: Long): Boolean =
-        isNew || events.isNotEmpty() || lastEvent != null || dueNanos()?.let { it - nowNanos <= 0 } == true
+    fun hasNews(nowNanos: Long): Boolean = isNew || events.isNew || dueNanos()?.let { it - nowNanos <= 0 } == true
 
     /** Returns when the percepts change without a new message, by the platform's clock; null: never. */
     fun dueNanos(): Long? {
@@ -106,8 +94,8 @@ internal class TopicMessages(
         isNewSoon = false
         takenNanos = nowNanos
         expiryNanos = null
-        val event = nextEvent()
-        val eventText = event?.text ?: "".takeIf { events.isNotEmpty() }
+        val event = events.next()
+        val eventText = event?.text ?: "".takeUnless { events.isEmpty }
         val seen = LinkedHashMap<String, Long>()
         for (percept in rules.mapNotNull { heldBy(it, nowNanos) } + listOfNotNull(event)) {
             seen.merge(percept.text, percept.trueNanos) { one, other -> if (other - one > 0) other else one }
@@ -116,18 +104,11 @@ internal class TopicMessages(
         return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
     }
 
-    /** Takes the next event; null: none. Between two equal events one call returns null, so that both events count. */
-    private fun nextEvent(): Made? {
-        val next = events.firstOrNull()?.takeIf { it.text != lastEvent }
-        lastEvent = next?.text
-        return next?.also { events.removeFirst() }
-    }
-
     /** Returns the percept of [rule] that holds at [nowNanos]; null: none does, or each is an event. */
-    private fun heldBy(rule: PerceptRule, nowNanos: Long): Made? {
+    private fun heldBy(rule: PerceptRule, nowNanos: Long): Percept? {
         if (rule.isOfEach) return null
         val percept = if (rule.needsEach) lasting[rule] else newest[rule.topic]?.let { message ->
-            textOf(rule, message.message)?.let { Made(rule.topic, it, message.trueNanos, message.receivedNanos) }
+            textOf(rule, message.message)?.let { Percept(rule.topic, it, message.trueNanos, message.receivedNanos) }
         }
         return percept?.takeIf { rule.forMs == null || isYoung(it.receivedNanos, rule.forMs, nowNanos) }
     }
@@ -162,8 +143,5 @@ internal class TopicMessages(
     private companion object {
         /** The most reasons reported for each rule. Reasons contain values of messages, so there could be any number. */
         const val MAX_TOLD = 3
-
-        /** The most events that wait for the sensing thread. */
-        const val MAX_EVENTS = 1_000
     }
 }

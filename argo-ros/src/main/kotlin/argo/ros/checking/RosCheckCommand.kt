@@ -2,12 +2,10 @@ package argo.ros.checking
 
 import argo.filters.matching.perceptsOf
 import argo.links.Wish
-import argo.ros.RosAddress
+import argo.ros.RobotPort
 import argo.ros.RosLink
-import argo.ros.bridge.BridgeSocket
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
-import argo.ros.mapping.findCredentials
 import argo.ros.mapping.mappingIn
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
@@ -51,7 +49,10 @@ internal class RosCheckCommand : ToolCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["a mapping, as robot.ros.yaml"])
     private lateinit var file: Path
 
-    @Parameters(index = "1", paramLabel = "ADDRESS", arity = "0..1", description = ["the bridge, as ros://robot:9090 or wss://robot/path"])
+    @Parameters(
+        index = "1", paramLabel = "ADDRESS", arity = "0..1",
+        description = ["the bridge, as ros://robot:9090 or wss://robot/path, or a bag, replay:FILE.mcap"],
+    )
     private var address: String? = null
 
     @Option(
@@ -71,7 +72,7 @@ internal class RosCheckCommand : ToolCommand() {
             return ExitStatus.FAILED
         }
         out.println("$file: ${counted(mapping.percepts.size, "percept")}, ${counted(mapping.commands.size, "command")}")
-        address?.let { check(mapping, it) }
+        address?.let { check(mapping, it) } ?: synchronized(found) { found += mapping.doubts }
         synchronized(found) { found.forEach { err.println(it) } }
         return if (found.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
     }
@@ -80,11 +81,9 @@ internal class RosCheckCommand : ToolCommand() {
 
     private fun check(mapping: Mapping, address: String) {
         try {
-            val ros = RosAddress.of(if (SCHEME.containsMatchIn(address)) address else "ros://$address")
-            val credentials = findCredentials(ros.mapping)
-            val link = RosLink.over(address, mapping, true, LineClock.system(), ::report) {
-                BridgeSocket.connect(address, ros.socket, it, credentials)
-            }
+            val clock = LineClock.system()
+            val robot = RobotPort.of(if (SCHEME.containsMatchIn(address)) address else "ros://$address")
+            val link = RosLink.over(address, mapping, true, clock, ::report) { robot.connect(it, clock) }
             link.use { listen(it, mapping) }
         } catch (refused: MappingException) {
             found += refused.message.orEmpty()
@@ -116,7 +115,7 @@ internal class RosCheckCommand : ToolCommand() {
     }
 
     private companion object {
-        val SCHEME = Regex("^(ros|wss):")
+        val SCHEME = Regex("^(ros|wss|replay):")
         const val MAX_S = 3_600
         const val MAX_SHOWN = 30
         const val INTERVAL_MS = 100

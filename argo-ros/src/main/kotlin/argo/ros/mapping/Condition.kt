@@ -14,6 +14,7 @@ internal sealed interface Condition : Expression {
             return when {
                 number != null && other != null -> truth(meets(number.compareTo(other)))
                 text == null || otherText == null -> incomparable(a, b)
+                isTextForTruth(a, right) || isTextForTruth(b, left) -> Value.None("${incomparable(a, b).why}; write \"true\" or \"false\"")
                 isOtherThanTruth(a, right, otherText) || isOtherThanTruth(b, left, text) -> incomparable(a, b)
                 operator == "==" || operator == "!=" -> truth((text == otherText) == (operator == "=="))
                 else -> incomparable(a, b)
@@ -23,6 +24,10 @@ internal sealed interface Condition : Expression {
         /** Returns true if [value] is true or false, and [constant] is neither, as in `data == 'True'` of a Bool. */
         private fun isOtherThanTruth(value: Value, constant: Expression, text: String) =
             (value == Value.TRUE || value == Value.FALSE) && constant is Expression.Constant && text != "true" && text != "false"
+
+        /** Returns true if [value] is a text, and [constant] is `true` or `false` without quotes. */
+        private fun isTextForTruth(value: Value, constant: Expression) = value is Value.Text && constant is Expression.Constant &&
+            !constant.isQuoted && (constant.value == Value.TRUE || constant.value == Value.FALSE)
 
         private fun meets(order: Int) = when (operator) {
             "==" -> order == 0

@@ -10,7 +10,8 @@ internal sealed interface Expression {
     /** Returns the value; [Value.None] if a field has none, or if it does not suit the calculation. */
     fun valueIn(scope: Scope): Value
 
-    data class Constant(val value: Value) : Expression {
+    /** A constant. [isQuoted] tells an atom in quotes from one without. */
+    data class Constant(val value: Value, val isQuoted: Boolean = false) : Expression {
         override fun valueIn(scope: Scope) = value
     }
 
@@ -58,7 +59,8 @@ internal sealed interface Expression {
         }
     }
 
-    data class Compound(val functor: String, val arguments: List<Expression>) : Expression {
+    /** A literal. [place] is that of a literal without quotes within others, which a field or function may have been meant for. */
+    data class Compound(val functor: String, val arguments: List<Expression>, val place: Place? = null) : Expression {
         override val parts get() = arguments
 
         override fun valueIn(scope: Scope): Value {
@@ -74,5 +76,9 @@ internal sealed interface Expression {
         }
     }
 }
+
+/** Returns the literals without quotes within this. */
+internal fun Expression.literals(): List<Expression.Compound> =
+    listOfNotNull((this as? Expression.Compound)?.takeIf { it.place != null }) + parts.flatMap { it.literals() }
 
 internal fun Expression.fields(): List<Expression.Field> = if (this is Expression.Field) listOf(this) else parts.flatMap { it.fields() }

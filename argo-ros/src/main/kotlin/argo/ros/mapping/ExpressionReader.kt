@@ -8,9 +8,6 @@ internal class ExpressionReader(
     private val cursor: Cursor,
     private val nameOf: (String, Place) -> Expression = { name, place -> Expression.Field(place, listOf(Step.Name(name))) },
 ) {
-    /** The literals without quotes within others that have been read, with their places. */
-    val literals = ArrayList<Pair<String, Place>>()
-
     /** The atoms without quotes that have been read, with their places. */
     val atoms = ArrayList<Pair<Expression, Place>>()
 
@@ -101,7 +98,8 @@ internal class ExpressionReader(
         cursor.take(STRING)?.let { return Expression.Constant(Value.Text(unescaped(it, place))) }
         cursor.take(QUOTED)?.let { quoted ->
             val atom = plain(quoted)
-            return if (cursor.take("(")) Expression.Compound(atom, arguments(isLiteral = true)) else Expression.Constant(Value.Symbol(atom))
+            return if (cursor.take("(")) Expression.Compound(atom, arguments(isLiteral = true))
+            else Expression.Constant(Value.Symbol(atom), isQuoted = true)
         }
         val name = cursor.expect(NAME, "a number, a field, an atom or a string")
         if (name == "true" || name == "false") return Expression.Constant(Value.Symbol(name))
@@ -133,8 +131,7 @@ internal class ExpressionReader(
             val meant = Function.meant(name)?.let { "is ${it.written} meant? A" } ?: "${functions()}; a"
             throw Refusal(place, "$name is no function; $meant literal would be written '$name'(…)")
         }
-        literals += name to place
-        return Expression.Compound(name, arguments(isLiteral = true))
+        return Expression.Compound(name, arguments(isLiteral = true), place)
     }
 
     private fun argumentsOf(function: Function): List<Expression> {

@@ -14,6 +14,17 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
 
     /** The rules for the poses of frames. */
     val poses: List<PerceptRule> = percepts.filter { it.frames != null }
+
+    /** Sentences about percepts of several rules that an agent cannot tell apart. */
+    val doubts: List<String>
+        get() = percepts.groupBy { it.shape }.filterKeys { it != null }.values
+            .filter { rules -> rules.size > 1 && rules.any { it.topic != rules[0].topic || it.condition == null } }.map(::doubt)
+
+    private fun doubt(rules: List<PerceptRule>): String {
+        val percept = rules[0].percept
+        return "$source: lines ${rules.joinToString(" and ") { "${it.place.line}" }} give percepts ${percept.functor}/" +
+            "${percept.arguments.size} that an agent cannot tell apart; an atom in one of them would do, as ${percept.functor}(front, …)"
+    }
 }
 
 /** A place in a mapping's file, line and column counted from 1. */
@@ -39,6 +50,10 @@ internal class PerceptRule(
     val isOfEach: Boolean = false,
     val frames: Frames? = null,
 ) {
+    /** The percept without its values, by which an agent tells it from others; null: it has no values. */
+    val shape: List<Any?>?
+        get() = percept.arguments.map { (it as? Expression.Constant)?.value }.takeIf { null in it }?.plus(percept.functor)
+
     /** True if no message may be passed over: one that meets the condition counts even if a later one, soon after it, does not. */
     val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
 }

@@ -4,6 +4,7 @@ import argo.filters.Problem
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
@@ -43,8 +44,10 @@ private fun text(source: String, read: () -> String): String = try {
     read()
 } catch (_: CharacterCodingException) {
     throw notRead(source, "it is not in UTF-8")
+} catch (_: NoSuchFileException) {
+    throw notRead(source, "there is no such file")
 } catch (unreadable: IOException) {
-    throw notRead(source, "it cannot be read: $unreadable")
+    throw notRead(source, "it cannot be read: ${unreadable.message}")
 }
 
 /**
@@ -58,11 +61,7 @@ internal fun findCredentials(name: String, directory: Path = Path.of("").toAbsol
 private fun findToken(name: String, kind: String, directory: Path): String? {
     val file = directory.resolve("$name.ros.$kind")
     if (!NAME.matches(name) || !Files.isRegularFile(file)) return null
-    val token = try {
-        Files.readString(file).trim()
-    } catch (unreadable: IOException) {
-        throw notRead("$file", "it cannot be read: $unreadable")
-    }
+    val token = text("$file") { Files.readString(file) }.trim()
     if (!TOKEN.matches(token)) throw notRead("$file", "it holds no $kind, which is one line of letters, digits and signs without blanks")
     return token
 }

@@ -89,6 +89,29 @@ internal class MessageType private constructor(
         null // the wrong path was reported when the type became known
     }
 
+    /** Returns true if a message of this type has the field [name]. */
+    fun has(name: String): Boolean = types[own]?.containsKey(name) == true
+
+    /** Returns sentences about fields of poses that stay empty in a message in which only [paths] have values. */
+    fun emptyAmong(paths: List<Path>): List<String> = paths.flatMap { path -> path.indices.map(path::take) }.distinct()
+        .flatMap { place -> emptyRotations(place, paths) + listOfNotNull(emptyFrame(place, paths)) }
+
+    private fun emptyRotations(place: Path, paths: List<Path>): List<String> = fieldsAt(place)
+        .filter { it.value == "geometry_msgs/Quaternion" }.map { place + Step.Name(it.key) }
+        .filter { rotation -> paths.none { it.take(rotation.size) == rotation } }.map(::written)
+        .map { "$it of $name is left as a quaternion of zeros, which is no rotation; for none, write $it.w = 1" }
+
+    private fun emptyFrame(place: Path, paths: List<Path>): String? {
+        val fields = fieldsAt(place)
+        val frame = place + listOf(Step.Name("header"), Step.Name("frame_id"))
+        if (fields["header"] != "std_msgs/Header" || fields.values.none(PLACED::contains) || frame in paths) return null
+        return "${written(frame)} of $name is left empty, so that its frame is not known; write ${written(frame)} = 'map'"
+    }
+
+    /** Returns the fields of the message at [place], each with the name of its type. */
+    private fun fieldsAt(place: Path): Map<String, String> =
+        types[if (place.isEmpty()) own else typeAt(place)?.name].orEmpty().mapValues { it.value.name }
+
     /** Returns the beginnings of the paths of [read] that lead to bytes. */
     fun bytesAmong(read: List<Expression.Field>): Set<Path> = read.mapNotNull { bytesIn(it.path) }.toSet()
 
@@ -106,11 +129,24 @@ internal class MessageType private constructor(
         }
     }
 
+    /**
+     * Checks that an argument of a command can be the value of the field at [path].
+     *
+     * @throws Unfit if there is no such field, or it is a message, which no argument is
+     */
+    fun requireNoMessage(path: Path) {
+        val type = typeAt(path)?.takeIf { it.length == FieldType.SINGLE && isMessage(it) } ?: return
+        throw Unfit("${written(path)} of $name is a $type, and no argument is a message; ${fieldsIn(type)}")
+    }
+
+    private fun isMessage(type: FieldType) = type.name !in TIMES && (type.name in types || '/' in type.name)
+
+    private fun fieldsIn(type: FieldType) = "give its fields a value, ${types[type.name]?.keys.orEmpty().joinToString(", ")}"
+
     private fun fitted(value: JsonElement, type: FieldType): JsonElement = when {
         type.length != FieldType.SINGLE -> list(value, type)
         type.name in TIMES && value == NOW -> value
-        type.name in types || '/' in type.name ->
-            throw Unfit("$value is no message; give its fields a value, ${types[type.name]?.keys.orEmpty().joinToString(", ")}")
+        type.name in types || '/' in type.name -> throw Unfit("$value is no message; ${fieldsIn(type)}")
         value !is JsonPrimitive -> throw Unfit("it takes no list, as $value is")
         type.name == "string" || type.name == "wstring" -> text(value)
         type.name == "bool" || type.name == "boolean" -> value.takeIf { isTruth(it) } ?: throw Unfit("$value is neither true nor false")
@@ -150,6 +186,7 @@ internal class MessageType private constructor(
 
     companion object {
         private val NOW = JsonPrimitive("now")
+        private val PLACED = listOf("Pose", "PoseWithCovariance", "Point").map { "geometry_msgs/$it" }
         private val TIMES = setOf("time", "builtin_interfaces/Time")
         private val FLOATS = mapOf(
             "float32" to Float.MAX_VALUE.toDouble(), "float" to Float.MAX_VALUE.toDouble(),

@@ -60,15 +60,17 @@ private val NO_PERCEPT = Value.Text("")
  */
 private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")
-    reader.literals.find { (name, _) -> name in known }?.let { (name, at) ->
-        throw Refusal(at, "$name is a field of $type, and no literal; an item of a list is $name[0]")
-    }
+    rule.percept.literals().find { it.functor in known }?.let { throw Refusal(checkNotNull(it.place), meantAsField(it.functor, type)) }
     val first = rule.percept.arguments.indexOfFirst { it.fields().isNotEmpty() }
     val suspects = rule.percept.arguments.drop(maxOf(0, first)).takeIf { first >= 0 || rule.condition == null }.orEmpty()
     val (atom, at) = suspects.firstNotNullOfOrNull { one -> reader.atoms.find { it.first === one } } ?: return
     val name = (atom as Expression.Constant).value.plainText()
     throw Refusal(at, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
 }
+
+/** Returns why a literal without quotes with the functor [name] is refused, which is a field of [type]. */
+internal fun meantAsField(name: String, type: String) =
+    "$name is a field of $type, and no literal; an item of a list is $name[0], and a literal would be written '$name'(…)"
 
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
     val name = (field.path.first() as Step.Name).name
@@ -174,11 +176,12 @@ private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldVal
         cursor.expect("=", "behind ${path.joinToString(".")}")
         val value = reader.read()
         value.fields().forEach { checkParameter(it, parameters) }
-        reader.literals.firstOrNull()?.let { (name, at) ->
-            throw Refusal(at, "$name is no function; a literal would be written '$name'(…)")
+        value.literals().firstOrNull()?.let {
+            throw Refusal(checkNotNull(it.place), "${it.functor} is no function; a literal would be written '${it.functor}'(…)")
         }
         fields.find { startsWith(path, it.path) || startsWith(it.path, path) }?.let {
-            throw Refusal(place, "${path.joinToString(".")} has a value already, as ${it.path.joinToString(".")}")
+            val (given, before) = path.joinToString(".") to it.path.joinToString(".")
+            throw Refusal(place, if (given == before) "$given is given a value twice" else "$given has a value already, by $before")
         }
         fields += FieldValue(place, path, value)
     } while (cursor.take(","))

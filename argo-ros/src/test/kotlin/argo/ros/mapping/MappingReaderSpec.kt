@@ -128,6 +128,7 @@ class MappingReaderSpec : FunSpec({
             }
             percept("/s std_msgs/String -> go if data == 'Go on'", """{"data": "Go on"}""") shouldBe "go"
             percept("/s std_msgs/Bool -> go if data == \"true\"", """{"data": true}""") shouldBe "go"
+            percept("/s std_msgs/String -> go if data == 'true'", """{"data": "true"}""") shouldBe "go"
         }
         context("that is left out has a reason:") {
             val pose = "/odom nav_msgs/Odometry -> at(pose.pose.positon.x)"
@@ -148,6 +149,7 @@ class MappingReaderSpec : FunSpec({
                 Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, or several numbers"),
                 Triple("/s std_msgs/Int64 -> id(data)", """{"data": 9007199254740993}""", "9007199254740993 is an integer that Jason's"),
                 Triple("/s std_msgs/Bool -> go if data == 'True'", """{"data": true}""", "== cannot compare the atom true with the atom"),
+                Triple("/s std_msgs/String -> go if data == true", """{"data": "on"}""", "the atom true; write \"true\" or \"false\""),
                 Triple("/s a_msgs/A -> go(all)", """{"all": {"it's": 1}}""", "it has a field whose name no agent can read"),
                 Triple("/s a_msgs/A", """{"all": "${"x".repeat(10_001)}"}""", "a text in it has 10001 characters"),
                 Triple("/s std_msgs/String -> go if data == 5", """{"data": "5"}""", "== cannot compare the text \"5\" with the number 5"),
@@ -205,7 +207,8 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n  - /a std_msgs/Bool\n  - /a std_msgs/String" to "3:5: the topic /a has the type std_msgs/Bool in line 2",
             "commands:\n  - move(v) -> /cmd_vel geometry_msgs/Twist" to "robot.ros.yaml:2:10: v is no variable",
             "commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear.x = W)" to "W is no argument of the command; it has V",
-            "commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear.x = V, linear = V)" to "linear has a value already, as linear.x",
+            "commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear.x = V, linear = V)" to "linear has a value already, by linear.x",
+            "commands:\n  - stop -> /cmd_vel geometry_msgs/Twist(linear.x = 0, linear.x = 1)" to "linear.x is given a value twice",
             "commands:\n  - move(V) -> service /move my_msgs/Move" to "expected the fields that the arguments of move are for",
             "commands:\n  - dock -> action /dock my_msgs/Dock" to "robot.ros.yaml:2:26: my_msgs/Dock is no action",
             "commands:\n  - a -> /a std_msgs/Empty\n  - a -> /b std_msgs/Empty" to "3:5: the command a/0 stands in line 2 already",
@@ -230,6 +233,17 @@ class MappingReaderSpec : FunSpec({
         test("all at once") {
             refusal("percepts:\n  - a\n  - b").lines().size shouldBe 2
         }
+    }
+
+    test("rules whose percepts an agent cannot tell apart are doubted, unless they mean the same or exclude each other") {
+        fun doubts(vararg rules: String) = mappingOf(rules.joinToString("\n", "percepts:\n") { "  - $it" }, "t").doubts
+        doubts("/a sensor_msgs/Range -> dist(f, range)", "/b sensor_msgs/Range -> dist(f, range*100)").single() shouldContain
+            "t: lines 2 and 3 give percepts dist/2 that an agent cannot tell apart"
+        doubts("/a/range sensor_msgs/Range", "/b/range sensor_msgs/Range").size shouldBe 1
+        doubts("/a sensor_msgs/LaserScan -> free(ranges[0])", "/a sensor_msgs/LaserScan -> free(ranges[1])").size shouldBe 1
+        doubts("/a sensor_msgs/Range -> dist(f, range)", "/b sensor_msgs/Range -> dist(b, range)") shouldBe emptyList()
+        doubts("/a std_msgs/Bool -> hit if data", "/b std_msgs/Bool -> hit if data") shouldBe emptyList()
+        doubts("/a my_msgs/A -> speed(x) if fast", "/a my_msgs/A -> speed(y) if not fast") shouldBe emptyList()
     }
 
     test("a mapping is found in its directory, then on the class path, and nowhere else") {

@@ -8,6 +8,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
 /** The schema for editors says of a line no less than it can, and never no to one that the reader takes. */
@@ -28,6 +29,16 @@ class MappingSchemaSpec : FunSpec({
         for (key in listOf("percepts", "commands")) {
             (blocks + nav2).flatMap { lines(it, key) }.shouldNotBeEmpty().forAll { pattern(key).matches(it) shouldBe true }
         }
+    }
+    test("it takes each line that the reader takes, also mistaken ones") {
+        fun isRead(key: String, line: String) = runCatching { mappingOf("$key:\n  - $line", "t") }.isSuccess
+        val mistakes = checkNotNull(MappingSchemaSpec::class.java.getResource("/mistakes.txt")).readText().lines()
+        val lines = mistakes.filter { ": " in it && !it.startsWith("#") }.map { it.substringBefore(" => ").split(": ", limit = 2) }
+            .flatMap { (key, rules) -> rules.split(" & ").map { key to it } }
+        val files = Path.of("src/test/resources").listDirectoryEntries("*.ros.yaml").map { it.readText() }
+        val all = lines + listOf("percepts", "commands").flatMap { key -> files.flatMap { lines(it, key) }.map { key to it } }
+        val read = all.filter { (key, line) -> isRead(key, line) }
+        read.shouldNotBeEmpty().forAll { (key, line) -> pattern(key).matches(line) shouldBe true }
     }
     test("it refuses lines that are read as mistakes at their beginning") {
         listOf("sonar", "/a Bool", "/a std_msgs/Bool dist", "tf map", "/a std_msgs/Bool iff").forAll {

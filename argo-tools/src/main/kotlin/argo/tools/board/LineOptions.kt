@@ -56,12 +56,21 @@ class LineOptions {
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
     /**
-     * Opens [port] if it is on no line, as `ros://robot:9090`, after a check of all options; null: it is on a line.
+     * Opens [port] if it is on no line, as `ros://robot:9090`, after a check of all options; null: it is on a line. Refuses options of lines.
      *
      * @throws javino.PortException if it cannot be opened
      */
-    fun openElsewhere(port: String): BoardLink? =
-        BoardLinkProvider.of(port)?.also { settings() }?.open(port, true, LineClock.system())
+    fun openElsewhere(port: String): BoardLink? {
+        val provider = BoardLinkProvider.of(port) ?: return null
+        settings()
+        OF_LINES.find(::isGiven)?.let { spec.refuse("$it is an option of lines, and $port is on none") }
+        return provider.open(port, true, LineClock.system())
+    }
+
+    /** The time limit of a command in ms; 0: none is given. */
+    val givenTimeoutMs: Int get() = if (isGiven("--timeout")) timeoutMs else 0
+
+    private fun isGiven(option: String) = spec.commandLine().parseResult.hasMatchedOption(option)
 
     /** Returns [port]; refuses a port that is on no line. */
     private fun inJavino(port: String): String {
@@ -80,6 +89,7 @@ class LineOptions {
     companion object {
         /** The accepted rates, in bits a second. */
         val BAUDS = 1..20_000_000
+        private val OF_LINES = listOf("--baud", "--protocol", "--boot")
         private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
         private const val MAX_MS = 600_000
     }

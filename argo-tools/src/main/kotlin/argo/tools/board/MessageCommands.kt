@@ -70,7 +70,7 @@ internal class SendCommand : MessageCommand() {
 
     private fun exchange(link: BoardLink) {
         val answer = try {
-            link.send(message, SendOptions.defaults()).outcome.get() as? Answer
+            link.send(message, SendOptions(false, line.givenTimeoutMs)).outcome.get() as? Answer
         } catch (failed: ExecutionException) {
             throw failed.cause ?: failed
         }

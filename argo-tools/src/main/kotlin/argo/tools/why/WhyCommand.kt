@@ -3,6 +3,7 @@ package argo.tools.why
 import argo.mcap.McapReader
 import argo.recording.replay.Recording
 import argo.recording.why.Answer
+import argo.recording.why.JointWhy
 import argo.recording.why.NotAnswer
 import argo.recording.why.Question
 import argo.recording.why.Why
@@ -23,14 +24,16 @@ import java.nio.file.Path
         "Tells why an agent in a recording (FILE.mcap) sent a command, back to the frames of the boards, or why it did not.",
         "QUESTION is a command or its functor: stop@12.3s is the one nearest to that second, 0.5 s off at most, stop#3 the third one, stop the last one;",
         "#17 is the command that the live view and the timeline call number 17.",
+        "Of several recordings, as those of a fleet's computers, the first one, or that of --of, is asked about;",
+        "messages are followed into the others.",
     ],
 )
 internal class WhyCommand : JasonCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by an agent's argo_record"])
-    private lateinit var file: Path
-
-    @Parameters(index = "1", paramLabel = "QUESTION", description = ["a command: stop@12.3s, stop#3, stop or #17"])
-    private lateinit var question: String
+    @Parameters(
+        arity = "2..*", paramLabel = "FILE... QUESTION",
+        description = ["recordings by agents' argo_record, and behind them a command: stop@12.3s, stop#3, stop or #17"],
+    )
+    private lateinit var operands: List<String>
 
     @Option(names = ["--not"], description = ["tells why the command was not sent up to that second, or at all"])
     private var isNot = false
@@ -42,26 +45,40 @@ internal class WhyCommand : JasonCommand() {
     private var of: String? = null
 
     override fun call(): Int {
-        val asked = Question.of(question) ?: misuse("a question is a command such as stop@12.3s, not '$question'")
+        val files = operands.dropLast(1).map(Path::of)
+        val asked = Question.of(operands.last()) ?: misuse("a question is a command such as stop@12.3s, not '${operands.last()}'")
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
         if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
-        requireFile(file)
-        if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
-        if (!runsHere) return runElsewhere("$file", question)
-        return Recording(file).use { recording ->
-            val agent = of
-            if (agent != null && agent !in recording.agents) {
-                throw ToolException("$file has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-            }
-            Why(recording).use { if (isNot) printNot(it, recording, asked) else print(it, asked) }
-            recording.problems.forEach { err.println("$file: ${printable(it)}") }
-            if (recording.problems.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
-        }
+        files.forEach(::requireRecording)
+        if (!runsHere) return runElsewhere(*operands.toTypedArray())
+        return withAll(files, emptyMap()) { recordings -> tell(recordings, asked) }
     }
 
-    private fun print(why: Why, asked: Question) {
+    private fun requireRecording(file: Path) {
+        requireFile(file)
+        if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
+    }
+
+    /** Does [work] with the recordings that are [open] and those in [files], by their names. */
+    private fun withAll(files: List<Path>, open: Map<String, Recording>, work: (Map<String, Recording>) -> Int): Int {
+        val file = files.firstOrNull() ?: return work(open)
+        return Recording(file).use { withAll(files.drop(1), open + ("$file" to it), work) }
+    }
+
+    private fun tell(recordings: Map<String, Recording>, asked: Question): Int {
+        val (name, recording) = recordings.entries.find { of == null || of in it.value.agents } ?: throw ToolException(
+            "${recordings.keys.joinToString()} has no agent $of; those that it has: " +
+                recordings.values.flatMap { it.agents.keys }.joinToString(),
+        )
+        JointWhy(mapOf(name to recording) + recordings).use { if (isNot) printNot(it.first, recording, asked) else print(it, asked) }
+        recordings.forEach { (name, one) -> one.problems.forEach { err.println("$name: ${printable(it)}") } }
+        return if (recordings.values.all { it.problems.isEmpty() }) ExitStatus.DONE else ExitStatus.FAILED
+    }
+
+    private fun print(joint: JointWhy, asked: Question) {
+        val why = joint.first
         val command = asked.find(why.commands.filter { of == null || it.agent == of })
-        val answer = why.answer(command, isTrying = had.isEmpty())
+        val answer = joint.follow(why.answer(command, isTrying = had.isEmpty()))
         val all = if (had.isEmpty()) answer else answer.copy(had = had.map { why.had(command, it) })
         if (json) out.println(JSON.encodeToString(Answer.serializer(), all)) else WhyText().of(all).forEach { out.println(printable(it)) }
     }

@@ -26,15 +26,16 @@ class Told(val lines: List<String>, val trouble: String)
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Asks why [agent] sent its command [number], counted among those to boards, in the recording [file]. Waits for the answer.
+     * Asks why [agent] sent its command [number], counted among those to boards, in the recordings [files]. Waits for the answer.
      * @throws java.io.IOException if no other program can be started
      */
     @Synchronized
-    fun ask(file: Path, agent: String, number: Long): Told {
+    fun ask(files: List<Path>, agent: String, number: Long): Told {
         val path = classPathWithJason(null) ?: return Told(emptyList(), missingJason())
         val errors = Files.createTempFile("argo-why", ".txt")
         try {
-            val program = QUICK_START + IN_UNICODE + listOf("-cp", path, "argo.tools.MainKt", "why", "$file", "#$number", "--of=$agent")
+            val program = QUICK_START + IN_UNICODE + listOf("-cp", path, "argo.tools.MainKt", "why") +
+                files.map(Path::toString) + listOf("#$number", "--of=$agent")
             val process = java(program).redirectError(errors.toFile()).start()
             CompletableFuture.delayedExecutor(patienceS, TimeUnit.SECONDS).execute(process::destroyForcibly)
             val lines = process.inputStream.bufferedReader().readLines()

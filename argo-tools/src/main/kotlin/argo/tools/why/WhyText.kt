@@ -15,6 +15,7 @@ import argo.recording.why.PerceptCause
 import argo.recording.why.PlanCause
 import argo.recording.why.ReflexCause
 import argo.recording.why.Sender
+import argo.recording.why.SentCause
 import argo.recording.why.StepCause
 import argo.recording.why.UnchosenPlan
 import argo.recording.why.UnknownCause
@@ -32,9 +33,19 @@ internal class WhyText {
         val cause = answer.cause ?: answer.reflex
         cause?.let { explain(it, 1) }
         if (cause == null) line(1, unseen(command.by))
+        answer.sent.forEach(::sent)
         answer.frame?.let { line(1, "that frame was ${ms(command.seconds - it.seconds)} old when the command was sent") }
         answer.had.forEach { lines += had(it, command.text) }
         return lines
+    }
+
+    /** Describes the sending of a message, at the time by which `replay` shows it: that of the sender's recording. */
+    private fun sent(sending: SentCause) {
+        val took = sending.delayMs?.let { ", %.1f ms before it was taken".format(it) }.orEmpty()
+        val clock = sending.clock?.let { "; compared with the first recording, its clock is $it" }.orEmpty()
+        lines += "${at(sending.seconds)} of ${sending.file}  agent ${sending.agent} sent it$took$clock"
+        sending.cause?.let { explain(it, 1) }
+        sending.trouble?.let { line(1, "why is not known: $it") }
     }
 
     private fun sender(answer: Answer): String {

@@ -47,11 +47,12 @@ private class Elsewhere : BoardLink {
     override fun check() = Unit
 
     override fun send(text: String, options: SendOptions) = SentCommand(
-        if (text != "fly") CompletableFuture.completedFuture(if (text == "stop") null else Answer.of("[sum(3)]"))
+        if (text == "limit") CompletableFuture.completedFuture(Answer.of("${options.limitMillis()}"))
+        else if (text != "fly") CompletableFuture.completedFuture(if (text == "stop") null else Answer.of("[sum(3)]"))
         else CompletableFuture.failedFuture(ActionRefusedException(port, "the robot has no command fly")),
     )
 
-    override fun sendAndAwait(text: String, options: SendOptions) = Unit
+    override fun sendAndAwait(text: String, options: SendOptions) = null
 
     override fun close() = Unit
 }
@@ -70,6 +71,14 @@ class BoardsElsewhereSpec : FunSpec({
         argo("send", "elsewhere:robot", "fly").let {
             it.status shouldBe 1
             it.err shouldContain "the robot has no command fly"
+        }
+    }
+    test("send has a time limit if one is given, and refuses options of lines") {
+        argo("send", "elsewhere:robot", "limit").out shouldBe "done; the answer is 0\n"
+        argo("send", "elsewhere:robot", "limit", "--timeout", "70").out shouldBe "done; the answer is 70\n"
+        argo("send", "elsewhere:robot", "stop", "--baud", "9600").let {
+            it.status shouldBe 2
+            it.err shouldContain "--baud is an option of lines, and elsewhere:robot is on none"
         }
     }
     test("ports --describe tells the actions and the percepts, and that there is no such board") {

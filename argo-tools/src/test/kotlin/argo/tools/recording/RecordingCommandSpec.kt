@@ -50,6 +50,36 @@ class RecordingCommandSpec : FunSpec({
         )
     }
 
+    test("the messages of several recordings are in one order, and without messages of agents by the clock of each") {
+        val other = tempfile(suffix = ".mcap").toPath()
+        McapWriter(FileChannel.open(other, StandardOpenOption.WRITE)).use { writer ->
+            writer.message(writer.channel("/other", writer.schema("Other", "{}")), 7 * SECOND + SECOND / 4, 0, "{}".encodeToByteArray())
+        }
+        argo("recording", "$file", "$other", "--messages", "--until", "0.6") shouldBe Output(
+            0,
+            "    0.000 s  $file  /robot/cycle  {\"cycle\":0}\n    0.250 s  $other  /other  {}\n" +
+                "    0.500 s  $file  /robot/cycle  {\"cycle\":1}\n",
+            "$other: no message of agents connects it with $file, so its times are those of its own clock\n",
+        )
+        argo("recording", "$file", "$other").out.lines().count { "written by argo" in it } shouldBe 2
+        argo("recording", "$file", "$other", "--file", "x").err shouldContain "--file goes with one recording, not with 2"
+    }
+
+    test("--messages shows messages of a bag of ROS 2 in JSON, and tells those that cannot be read") {
+        val bag = "../argo-recording/src/test/resources/bags/zstd.mcap"
+        argo("recording", bag, "--messages", "--topic", "/said", "--until", "0.1") shouldBe
+            Output(0, "    0.000 s  /said  {\"data\":\"go\"}\n", "")
+        argo("recording", bag.replace("zstd", "odd"), "--messages").run {
+            status shouldBe 1
+            out.lines().take(5) shouldBe listOf(
+                "    0.000 s  /said  {\"data\":\"a\"}", "    1.000 s  /said  (9 bytes)", "    2.000 s  /said  {\"data\":\"b\"}",
+                "    3.000 s  /idl  \\u0000\\u0001", "    3.000 s  /text  {}",
+            )
+            err shouldContain "messages of /said are left out: a message of std_msgs/String ends within a field"
+            err shouldContain "messages of /idl are shown as they are: the type of /idl is described by ros2idl"
+        }
+    }
+
     test("recording --json is data") {
         val json = Json.parseToJsonElement(argo("recording", "$file", "--json").out).jsonObject
         json.getValue("messages").jsonPrimitive.int shouldBe 5

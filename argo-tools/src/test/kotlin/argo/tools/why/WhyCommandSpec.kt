@@ -2,6 +2,7 @@ package argo.tools.why
 
 import argo.testkit.agent
 import argo.testkit.agentOf
+import argo.testkit.mas
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -45,6 +46,25 @@ class WhyCommandSpec : FunSpec({
         said.out shouldContain "it would not have sent stop, but nothing"
     }
 
+    test("a message leads into the recording of its sender, if that is given") {
+        val (base, scout) = listOf("base", "scout").map { directory.resolve("$it.mcap") }
+        mas {
+            agentOf("base", "+wall(D) <- argo.port(ttyACM0); argo.act(stop).") { options("argo_record" to "$base") }
+            agentOf("scout", "!look.\n+!look <- .wait(500); !tell(3).\n+!tell(D) <- .send(base, tell, wall(D)).") {
+                options("argo_record" to "$scout")
+            }
+        }.use { it["base"].shouldSend("stop").after(1.seconds) }
+        argo("why", "$base", "stop").out shouldContain "because agent scout had sent tell wall(3), taken at"
+        val said = argo("why", "$base", "$scout", "stop")
+        said.err shouldBe ""
+        said.out shouldContain "s of $scout  agent scout sent it, "
+        said.out shouldContain "; compared with the first recording, its clock is 0.000 s ahead, but for the time that a message takes"
+        said.out shouldContain "because of the step .send(base,tell,wall(D)), agent.asl:3, carried out at"
+        said.out shouldContain "because the program begins with look (agent.asl:1); no percept began it"
+        argo("why", "$scout", "$base", "stop", "--of", "base").out shouldBe said.out
+        argo("why", "$scout", "$base", "stop", "--of", "bob").err shouldContain "has no agent bob; those that it has: scout, base"
+    }
+
     test("in JSON a cycle has the number by which replay calls it") {
         val sent = argo("replay", "$drive", "--from", "0").out.lines().single { "sends stop" in it }
         val command = Json.parseToJsonElement(argo("why", "$drive", "stop", "--json").out).jsonObject.getValue("command").jsonObject
@@ -60,11 +80,11 @@ class WhyCommandSpec : FunSpec({
 
     test("a program of its own tells the same, or why it does not") {
         val program = WhyProgram(patienceS = 120)
-        program.ask(drive, "agent", 2).run {
+        program.ask(listOf(drive), "agent", 2).run {
             trouble shouldBe ""
             lines.joinToString("") { "$it\n" } shouldBe argo("why", "$drive", "stop").out
         }
-        program.ask(drive, "agent", 99).run {
+        program.ask(listOf(drive), "agent", 99).run {
             lines shouldBe emptyList()
             trouble shouldStartWith "there is no command #99"
         }

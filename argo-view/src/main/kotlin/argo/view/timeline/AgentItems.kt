@@ -4,6 +4,7 @@ import argo.recording.Call
 import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.GivenOrder
+import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.Sent
 import argo.recording.Step
@@ -12,7 +13,7 @@ import argo.recording.Step
  * Makes the items of one agent from its cycles, in order, and links each item with its recorded causes.
  *
  * @param agent the place of the agent among those of the recording
- * @param zeroNs the beginning of the recording, in ns of the agents' clock
+ * @param zeroNs the beginning of the timeline, in ns of the agent's clock
  * @param items takes the items of all agents
  * @param outcomes the outcomes of the agent's commands, by their numbers
  */
@@ -29,16 +30,27 @@ internal class AgentItems(
     private val perceptsOf = HashMap<String, Int>()
     private var lastMail = HashMap<String, Int>()
 
+    /** The steps that sent messages, by the messages' names. */
+    val sent = HashMap<String, Int>()
+
+    /** The items of messages that came, each with the message. */
+    val taken = ArrayList<Pair<Int, Mail>>()
+
     fun add(cycle: Cycle) {
         cycle.input.orders.forEach { ordered(cycle, it) }
         perceive(cycle)
         cycle.input.mail.forEach { mail ->
             val text = "${mail.performative} of ${mail.sender ?: "nobody"}: ${mail.content}"
-            mail.sender?.let { sender -> lastMail[sender] = add(cycle.ns, Lane.EVENTS, text, listOf("a message that came in")) }
+            mail.sender?.let { sender ->
+                val id = add(cycle.ns, Lane.EVENTS, text, listOf("a message that came in"))
+                lastMail[sender] = id
+                taken += id to mail
+            }
         }
         cycle.input.ends.forEach { end -> if (end.failure != null) stepsOfCalls[end.number]?.let { plans.failed = it } }
         cycle.course.event?.let { chosen(cycle, it) }
         val step = cycle.course.step?.let { stepped(cycle, it) }
+        if (step != null) cycle.course.mail.forEach { sent[it.id] = step }
         cycle.input.calls.forEach { called(cycle, it, step) }
         cycle.course.printed.forEach { add(cycle.ns, Lane.PRINTED, it, causes = listOfNotNull(step)) }
     }

@@ -48,4 +48,6 @@ internal class Item(
     val isBad: Boolean = false,
     val causes: List<Int> = emptyList(),
     val command: Long? = null,
-)
+) {
+    fun causedBy(cause: Int) = Item(id, agent, lane, from, until, text, detail, isBad, causes + cause, command)
+}

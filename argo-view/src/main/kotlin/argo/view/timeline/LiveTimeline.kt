@@ -15,7 +15,7 @@ import java.time.Duration
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
-    private val why = ToldWhy { ask -> RunningRecordings.of(agent)?.read(ask) }
+    private val why = ToldWhy { ask -> RunningRecordings.of(agent)?.read { ask(listOf(it)) } }
 
     @Volatile
     private var newest: TimelineRoutes? = null

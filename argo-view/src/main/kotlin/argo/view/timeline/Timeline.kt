@@ -1,5 +1,6 @@
 package argo.view.timeline
 
+import argo.recording.Mail
 import argo.recording.replay.Recording
 import kotlinx.serialization.Serializable
 import java.time.Duration
@@ -81,16 +82,41 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
     companion object {
-        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a message in it cannot be read. */
-        fun of(recording: Recording, last: Duration? = null): Timeline {
-            val agents = recording.agents.keys.sorted()
-            val zeroNs = agents.mapNotNull { recording.cycles(it, last).firstOrNull()?.ns }.minOrNull() ?: 0
+        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a recorded message cannot be read. */
+        fun of(recording: Recording, last: Duration? = null): Timeline = ofAll(listOf(recording), listOf(0), last)
+
+        /**
+         * Reads [recordings] of several programs, as of the computers of a fleet.
+         *
+         * @param aheadNs the time by which each recording's clock is ahead of the first one's, in ns
+         */
+        fun ofAll(recordings: List<Recording>, aheadNs: List<Long>, last: Duration? = null): Timeline {
+            val all = recordings.flatMapIndexed { place, one -> one.agents.keys.sorted().map { Recorded(it, one, aheadNs[place]) } }
+            val zeroNs = all.mapNotNull { it.firstNs(last) }.minOrNull() ?: 0
             val items = ArrayList<Item>()
-            agents.forEachIndexed { place, agent ->
-                val made = AgentItems(place, zeroNs, items, recording.commandEnds(agent, last).associateBy { it.number })
-                recording.cycles(agent, last).forEach(made::add)
+            val made = all.mapIndexed { place, agent -> agent to agent.read(place, zeroNs, items, last) }
+            made.forEach { (agent, its) ->
+                its.taken.forEach { (id, mail) -> sendingOf(mail, agent, made)?.let { items[id] = items[id].causedBy(it) } }
             }
-            return Timeline(agents, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
+            return Timeline(all.map { it.name }, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
+        }
+
+        /** Returns the step that sent [mail] to an agent. An agent of the same recording with the sender's name is the sender. */
+        private fun sendingOf(mail: Mail, to: Recorded, made: List<Pair<Recorded, AgentItems>>): Int? {
+            val senders = made.filter { (agent) -> agent.name == mail.sender }
+            val own = senders.filter { (agent) -> agent.recording === to.recording }
+            return own.ifEmpty { senders }.firstNotNullOfOrNull { (_, items) -> items.sent[mail.id] }
+        }
+    }
+
+    /** An agent of a [recording], whose clock is [aheadNs] ahead. */
+    private class Recorded(val name: String, val recording: Recording, private val aheadNs: Long) {
+        fun firstNs(last: Duration?): Long? = recording.cycles(name, last).firstOrNull()?.let { it.ns - aheadNs }
+
+        fun read(place: Int, zeroNs: Long, items: MutableList<Item>, last: Duration?): AgentItems {
+            val made = AgentItems(place, zeroNs + aheadNs, items, recording.commandEnds(name, last).associateBy { it.number })
+            recording.cycles(name, last).forEach(made::add)
+            return made
         }
     }
 }

@@ -15,18 +15,18 @@ import java.util.concurrent.Executors
 /**
  * Serves the page of [timeline], and the pieces for its drawing, to browsers on this computer.
  *
- * @param file the recording; its name is the title
+ * @param files the recordings; their names are the title
  * @param problems the parts of the recording that cannot be read
  * @param port 0 to 65535; 0: any free port
  * @throws IOException if the port cannot be opened
  */
 internal class TimelineServer(
     timeline: Timeline,
-    file: Path,
+    files: List<Path>,
     problems: List<String>,
     port: Int,
 ) : AutoCloseable {
-    private val routes = TimelineRoutes(timeline, "${file.fileName}", problems, ToldWhy { ask -> ask(file) })
+    private val routes = TimelineRoutes(timeline, files.joinToString { "${it.fileName}" }, problems, ToldWhy { ask -> ask(files) })
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
     private val server = localServer(port, threads, ::handle)
 

@@ -12,9 +12,9 @@ import java.util.concurrent.atomic.AtomicBoolean
  * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others, which would block
  * threads that respond to pages. Any thread may ask.
  *
- * @param reading calls its argument with the file of the agents' recording; returns null if there is none
+ * @param reading calls its argument with the files of the agents' recordings; returns null if there is none
  */
-internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
+internal class ToldWhy(private val reading: ((List<Path>) -> Told) -> Told?) {
     private val program = WhyProgram(PATIENCE_S)
     private val isBusy = AtomicBoolean()
 
@@ -33,7 +33,7 @@ internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
 
     private fun answer(agent: String, number: Long): HttpResponse {
         val told = try {
-            reading { file -> program.ask(file, agent, number) }
+            reading { files -> program.ask(files, agent, number) }
                 ?: return HttpResponse.message(404, "agent $agent is not recorded any more")
         } catch (trouble: IOException) {
             return HttpResponse.message(500, "the tool why cannot be run: ${trouble.message}")

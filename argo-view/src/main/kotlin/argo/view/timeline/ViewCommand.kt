@@ -1,5 +1,7 @@
 package argo.view.timeline
 
+import argo.recording.replay.ClockDifference
+import argo.recording.replay.JointRecordings
 import argo.recording.replay.Recording
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
@@ -18,37 +20,49 @@ import java.util.concurrent.CountDownLatch
     name = "view",
     description = [
         "Shows a recording of agents (FILE.mcap) as a timeline, in a browser on this computer. Ctrl-C ends it.",
+        "Recordings of several programs, as of a fleet's computers, are one timeline: their messages show how their clocks differ.",
     ],
 )
 internal class ViewCommand : ToolCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording of agents, by their argo_record"])
-    private lateinit var file: Path
+    @Parameters(arity = "1..*", paramLabel = "FILE", description = ["recordings of agents, by their argo_record"])
+    private lateinit var files: List<Path>
 
     @Option(names = ["--port"], paramLabel = "PORT", defaultValue = "0", description = ["where the page is served; 0: any free port"])
     private var port = 0
 
     override fun call(): Int {
         spec.requireWithin("--port", port, 0..MAX_PORT)
-        requireFile(file)
-        val (timeline, problems) = read()
-        problems.forEach { err.println("$file: $it") }
+        files.forEach(::requireFile)
+        val (timeline, problems) = withAll(files, emptyList(), ::read)
+        problems.forEach(err::println)
         val server = try {
-            TimelineServer(timeline, file, problems, port)
+            TimelineServer(timeline, files, problems, port)
         } catch (taken: BindException) {
             throw ToolException("port $port cannot be had: ${taken.message}; --port 0 takes a free one")
         }
         return server.use {
-            out.println("$file is shown at ${server.address}")
+            out.println("${files.joinToString()} ${if (files.size == 1) "is" else "are"} shown at ${server.address}")
             out.flush()
             awaitEnd()
             if (problems.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
         }
     }
 
-    private fun read(): Pair<Timeline, List<String>> = try {
-        Recording(file).use { recording -> Timeline.of(recording) to recording.problems }
+    /** Does [work] with the recordings that are [open] and then those in [left]. */
+    private fun <T> withAll(left: List<Path>, open: List<Recording>, work: (List<Recording>) -> T): T =
+        if (left.isEmpty()) work(open) else Recording(left.first()).use { withAll(left.drop(1), open + it, work) }
+
+    private fun read(recordings: List<Recording>): Pair<Timeline, List<String>> = try {
+        val ahead = if (recordings.size == 1) listOf(ClockDifference.NONE) else JointRecordings(recordings).differencesOfClocks
+        val clocks = files.zip(ahead).drop(1).map { (file, it) ->
+            if (it == null) "$file: no message connects it with ${files.first()}, so its times are those of its own clock"
+            else "$file: compared with ${files.first()}, its clock is $it"
+        }
+        clocks.forEach(out::println)
+        val problems = files.zip(recordings).flatMap { (file, recording) -> recording.problems.map { "$file: $it" } }
+        Timeline.ofAll(recordings, ahead.map { it?.ns ?: 0 }) to problems
     } catch (unreadable: IllegalArgumentException) {
-        throw ToolException("$file: a message in it cannot be read: ${unreadable.message?.lineSequence()?.first()}")
+        throw ToolException("${files.joinToString()}: a message cannot be read: ${unreadable.message?.lineSequence()?.first()}")
     }
 
     /** Waits until the program is ended or the thread is interrupted. */

@@ -49,7 +49,7 @@ class TimelinePageSpec : FunSpec({
     }
 
     val timeline = Recording(file).use(Timeline::of)
-    val server = autoClose(TimelineServer(timeline, file, emptyList(), 0))
+    val server = autoClose(TimelineServer(timeline, listOf(file), emptyList(), 0))
 
     fun get(path: String, host: String? = null): HttpResponse<String> {
         val request = HttpRequest.newBuilder(URI("${server.address}$path"))

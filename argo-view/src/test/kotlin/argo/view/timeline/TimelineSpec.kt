@@ -2,6 +2,7 @@ package argo.view.timeline
 
 import argo.recording.replay.Recording
 import argo.testkit.agentOf
+import argo.testkit.mas
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -9,6 +10,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
@@ -38,6 +40,23 @@ class TimelineSpec : FunSpec({
         causes[0].detail.first() shouldContain "line 6"
         causes[1].text shouldStartWith "+dist(front,30)"
         causes[3].detail.first() shouldContain "dist(front,30)"
+    }
+
+    test("a message came of the step that sent it, also in the recording of another program, whose clock differs") {
+        val (base, scout) = listOf("base", "scout").map { tempdir().toPath().resolve("$it.mcap") }
+        mas {
+            agentOf("base", "+wall(D).") { options("argo_record" to "$base") }
+            agentOf("scout", "!look. +!look <- .wait(500); .send(base, tell, wall(3)).") { options("argo_record" to "$scout") }
+        }.use { it["base"].shouldBelieve("wall(3)[source(scout)]") }
+        fun joint(aheadNs: Long) =
+            Recording(base).use { one -> Recording(scout).use { Timeline.ofAll(listOf(one, it), listOf(0, aheadNs)) } }
+        joint(0).run {
+            agents shouldBe listOf("base", "scout")
+            val message = items.single { it.text == "tell of scout: wall(3)" }
+            items[message.causes.single()].run { agents[agent] to text } shouldBe ("scout" to ".send(base,tell,wall(3))")
+        }
+        val (early, late) = listOf(joint(0), joint(-1_000_000_000)).map { one -> one.items.last { it.agent == 1 }.from }
+        late - early shouldBe 1.0.plusOrMinus(1e-6)
     }
 
     test("and of a goal, which a step of another plan has posed") {

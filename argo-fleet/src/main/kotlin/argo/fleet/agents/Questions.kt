@@ -1,0 +1,48 @@
+package argo.fleet.agents
+
+import argo.fleet.cluster.Unreachable
+import argo.fleet.node.Directory
+import jason.JasonException
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * The questions of one agent to agents of other computers that have no answer yet. Jason suspends the intention of a question under the
+ * question's id, until all answers have come or its time is over. Safe for use by several threads.
+ */
+internal class Questions {
+    private class Question {
+        val asked = ConcurrentHashMap<String, String>() // the agents that have not answered, each with its computer
+        val end = CompletableFuture<JasonException?>()
+    }
+
+    private val open = ConcurrentHashMap<String, Question>()
+
+    /** Notes that the question [id] goes to [agent] on another [computer], and perhaps to further agents. */
+    fun ask(id: String, agent: String, computer: String) {
+        open.computeIfAbsent(id) { Question() }.asked[agent] = computer
+    }
+
+    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. Without such a question, returns null. */
+    fun end(id: String?): CompletableFuture<JasonException?>? = id?.let(open::get)?.end
+
+    /** Notes that [agent] has answered the question [id]. */
+    fun answered(id: String, agent: String) {
+        open[id]?.asked?.remove(agent)
+    }
+
+    fun fail(id: String?, reason: Throwable) {
+        if (id != null) open.remove(id)?.end?.complete(errorOf(reason))
+    }
+
+    /** Fails the questions to agents that have not answered and, by [now], have left the computer where they were asked. */
+    fun failLost(now: Directory) = open.forEach { (id, question) ->
+        question.asked.entries.find { (agent, computer) -> !now.runs(agent, computer) }?.let { (agent, computer) ->
+            val reason = if (now.isMet(computer)) "it has ended there" else "its computer $computer is off"
+            fail(id, Unreachable("$agent has not answered, and $reason"))
+        }
+    }
+
+    /** Ends the questions for which no intention waits any more: all answers are there, the time is over, or the agent has dropped them. */
+    fun endAllBut(waiting: Set<String>) = open.keys.filter { it !in waiting }.forEach { open.remove(it)?.end?.complete(null) }
+}

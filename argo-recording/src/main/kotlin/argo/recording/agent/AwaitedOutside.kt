@@ -1,0 +1,59 @@
+package argo.recording.agent
+
+import argo.boundary.Boundary
+import argo.observing.CommandFailure
+import argo.recording.CallFailure
+import jason.JasonException
+import jason.asSemantics.ConcurrentInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.ASSyntax
+import java.util.concurrent.atomic.AtomicBoolean
+
+/**
+ * One of Jason's internal actions as an infrastructure carries it out: a direct subclass of Jason's, which needs no arguments to be made.
+ * A recording has the action's calls under Jason's name. The intention may wait for other computers, by [AwaitedOutside].
+ */
+interface OfInfrastructure
+
+/** Has intentions wait for something outside of their agent, such as another computer's answer, for internal actions [OfInfrastructure]. */
+object AwaitedOutside {
+    /** The error of a message to an agent that does not exist. Plans may also match Jason's own name for this error. */
+    const val NO_AGENT = "no_agent"
+    private const val NO_RECEIVER = "receiver_not_found"
+
+    /**
+     * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action itself has
+     * suspended the intention, as for a question, only a failure ends the wait.
+     *
+     * @return a function that ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the
+     * first call counts. A recording of the agent contains that end
+     */
+    fun begin(ts: TransitionSystem): (JasonException?) -> Unit {
+        val question = ts.c.pendingIntentions.entries.find { it.value === ts.c.selectedIntention }?.key
+        val key = question ?: Suspension.suspendInt(ts, "outside", 0)
+        val complete = { failure: CommandFailure?, _: String? ->
+            if (failure != null) ConcurrentInternalAction.resume(ts, key, true, exceptionOf(failure).errorTerms)
+            else if (question == null) Suspension.resumeInt(ts, key)
+        }
+        val end = (Keeper.current as? Boundary)?.suspended(complete) ?: complete
+        val hasEnded = AtomicBoolean()
+        return { failed -> if (!hasEnded.getAndSet(true)) end(failed?.let { RecordedFailure(callFailure(it)) }, null) }
+    }
+
+    /** Returns the exception that fails a plan with `error(…)`, whose text is [error], and with [message] for the user. */
+    fun exceptionOf(error: String, message: String): JasonException {
+        val failed = JasonException(message, if (error.isEmpty()) null else termOf(error))
+        if (error == NO_AGENT) failed.addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom(NO_RECEIVER)))
+        return failed
+    }
+
+    private fun exceptionOf(failure: CommandFailure) = exceptionOf(failure.error, failure.cause)
+
+    /** Gives access to Jason's way to suspend an intention. */
+    private object Suspension : ConcurrentInternalAction() {
+        override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
+    }
+}
+
+/** Returns the exception behind this recorded failure. */
+internal fun CallFailure.exception(): JasonException = AwaitedOutside.exceptionOf(error, message)

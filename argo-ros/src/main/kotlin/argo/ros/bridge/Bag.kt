@@ -1,0 +1,83 @@
+package argo.ros.bridge
+
+import argo.mcap.McapChannel
+import argo.mcap.McapException
+import argo.mcap.McapMessage
+import argo.mcap.McapReader
+import argo.mcap.RosField
+import argo.mcap.RosMessages
+import argo.mcap.RosType
+import argo.ros.mapping.rosType
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
+
+/**
+ * A bag of ROS 2 in the MCAP format: its messages, and its types as `rosapi` describes those of robots. Only one thread at a
+ * time may read messages.
+ *
+ * @throws McapException if [path] is no MCAP file, or has nothing of ROS 2
+ * @throws java.io.IOException if [path] cannot be read
+ */
+internal class Bag(path: Path) : AutoCloseable {
+    private val reader = McapReader(path)
+    private val channels = reader.channels.associateBy { it.topic }
+    private val readers = reader.channels.associate { it.id to runCatching { readerOf(it) } }
+    private val types = readers.values.mapNotNull { it.getOrNull() }.associateBy { it.types.first().name }
+
+    init {
+        if (types.isEmpty()) {
+            val why = readers.values.firstNotNullOfOrNull { it.exceptionOrNull()?.message } ?: "it has no topics"
+            reader.close()
+            throw McapException("$path is no bag of ROS 2 that can be read here: $why")
+        }
+    }
+
+    /** The unreadable parts of the file, a sentence each. */
+    val problems: List<String> get() = reader.problems
+
+    /** Returns the messages in the order of the file, each with its time since the earliest one, in ns. */
+    fun messages(): Iterator<Pair<Long, McapMessage>> {
+        val begin = reader.times?.first ?: 0
+        return reader.messages().map { it.logTimeNs - begin to it }.iterator()
+    }
+
+    /**
+     * Returns [message] as a bridge would send it.
+     * @throws McapException if it cannot be read
+     */
+    fun read(message: McapMessage): JsonObject = readers.getValue(message.channel.id).getOrThrow().read(message.data)
+
+    private fun readerOf(channel: McapChannel) = RosMessages.of(channel)
+        ?: throw McapException("${channel.topic} is in the encoding ${channel.messageEncoding}, and messages of ROS 2 are in cdr")
+
+    /** Returns the type of [topic]; empty: the bag has no such topic. */
+    fun typeOf(topic: String): String = channels[topic]?.schema?.name.orEmpty()
+
+    /** Answers a question to `rosapi`; null: a bag does not know the answer. */
+    fun answer(service: String, arguments: JsonObject): JsonObject? = when (service) {
+        "/rosapi/topic_type" -> JsonObject(mapOf("type" to JsonPrimitive(typeOf(arguments.text("topic").orEmpty()))))
+        "/rosapi/publishers" -> JsonObject(mapOf("publishers" to words(listOfNotNull(channels[arguments.text("topic")]?.let { "bag" }))))
+        "/rosapi/message_details" -> types[rosType(arguments.text("type").orEmpty())]?.let { description(it.types) }
+        else -> null
+    }
+
+    private fun description(types: List<RosType>) = JsonObject(mapOf("typedefs" to JsonArray(types.map(::definition))))
+
+    private fun definition(type: RosType) = JsonObject(
+        mapOf(
+            "type" to JsonPrimitive(type.name),
+            "fieldnames" to words(type.fields.map(RosField::name)),
+            "fieldtypes" to words(type.fields.map(RosField::type)),
+            "fieldarraylen" to JsonArray(type.fields.map { JsonPrimitive(it.length) }),
+            "constnames" to words(type.constants.keys),
+            "constvalues" to words(type.constants.values),
+        ),
+    )
+
+    private fun words(texts: Collection<String>): JsonElement = JsonArray(texts.map(::JsonPrimitive))
+
+    override fun close() = reader.close()
+}

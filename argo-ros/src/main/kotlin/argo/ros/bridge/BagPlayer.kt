@@ -1,0 +1,81 @@
+package argo.ros.bridge
+
+import argo.mcap.McapException
+import argo.mcap.McapMessage
+import javino.LineClock
+import kotlinx.serialization.json.JsonObject
+import java.io.IOException
+import java.util.concurrent.Executor
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicBoolean
+
+/**
+ * Plays [bag] in the time of [clock], from the first subscription to one of its topics on. A message that is earlier than the one before it
+ * in the file comes together with that. Safe for use by several threads.
+ *
+ * @param worker reads the file and does the calls of the other functions, one task at a time
+ * @param isWanted returns true if the messages of a topic are to be published
+ * @param tell takes the problems of the bag, and its end, a sentence each
+ */
+internal class BagPlayer(
+    private val bag: Bag,
+    private val clock: LineClock,
+    private val worker: Executor,
+    private val isWanted: (topic: String) -> Boolean,
+    private val publish: (topic: String, message: JsonObject) -> Unit,
+    private val tell: (String) -> Unit,
+) : AutoCloseable {
+    private val hasBegun = AtomicBoolean()
+    private val messages = bag.messages() // this and next belong to the worker
+    private var next: Pair<Long, McapMessage>? = null
+    private var startNanos = 0L
+
+    @Volatile
+    private var isClosed = false
+
+    /** Begins to play if the bag has [topic]. */
+    fun subscribed(topic: String) {
+        if (bag.typeOf(topic).isEmpty() || hasBegun.getAndSet(true)) return
+        startNanos = clock.nanos() + LEAD_NANOS
+        clock.schedule(LEAD_NANOS) { worker.execute(::begin) }
+    }
+
+    private fun begin() {
+        bag.problems.forEach { tell("of the bag: $it") }
+        play()
+    }
+
+    /** Publishes the messages that are due, and comes back when the next one is. */
+    private fun play() {
+        try {
+            while (!isClosed) {
+                val (sinceNanos, message) = next ?: if (messages.hasNext()) messages.next() else return tell("the bag is over")
+                val waitNanos = startNanos + sinceNanos - clock.nanos()
+                next = (sinceNanos to message).takeIf { waitNanos > 0 }
+                if (waitNanos > 0) return clock.schedule(waitNanos) { worker.execute(::play) }
+                if (isWanted(message.channel.topic)) take(message)
+            }
+        } catch (unreadable: IOException) {
+            if (!isClosed) tell("the bag cannot be read any further: ${unreadable.message}")
+        }
+    }
+
+    private fun take(message: McapMessage) {
+        val fields = try {
+            bag.read(message)
+        } catch (unreadable: McapException) {
+            return tell("a message of ${message.channel.topic} is left out: ${unreadable.message}")
+        }
+        publish(message.channel.topic, fields)
+    }
+
+    override fun close() {
+        isClosed = true
+        bag.close()
+    }
+
+    private companion object {
+        /** The time from the first subscription to the first message, for the other subscriptions. */
+        val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
+    }
+}

@@ -1,0 +1,26 @@
+package argo.view
+
+import argo.observing.AgentThere
+import argo.observing.ObservedAgent
+import argo.observing.ObservedComputer
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import java.util.logging.Logger
+
+/** The computers of a fleet on the page of an agent. */
+class ComputersSpec : FunSpec({
+    test("a change of the computers is news, and of agents that are too many to be shown the number is told") {
+        var now = listOf(ObservedComputer("base", isHere = true, isOn = true, List(60) { AgentThere("a$it", 8080) }))
+        val log = Logger.getLogger("argo.view.test.computers")
+        val agent = object : ObservedAgent by Nobody {
+            override val computers get() = now
+        }
+        val composer = StateComposer(agent, AgentRecord(agent, log), { emptyList<AgentTab>() to 0 }, log)
+        composer.state(isLast = false).computers.single().run { listOf(name, here, on, agents.size, more) } shouldBe
+            listOf("base", true, true, 50, 10)
+        composer.hasNews() shouldBe false
+        now = now + ObservedComputer("scout1", isHere = false, isOn = false, emptyList())
+        composer.hasNews() shouldBe true
+        composer.state(isLast = false).computers.map { it.name } shouldBe listOf("base", "scout1")
+    }
+})

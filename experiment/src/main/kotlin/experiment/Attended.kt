@@ -1,0 +1,45 @@
+package experiment
+
+import samples.project.Logs
+import samples.project.Progress
+import sun.misc.Signal
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+
+/** The exit status of an experiment that the user has interrupted. */
+internal const val INTERRUPTED = 130
+
+/** The largest number of runs at once, the largest slowdown, and the bound of random seeds. */
+internal const val MAX_JOBS = 256
+internal const val MAX_SLOWDOWN = 1000.0
+internal const val MAX_SEED = 1_000_000
+
+/**
+ * Does [work] with a line of progress, which `show` writes, and with the log of Jason, ARGO and the agents in `log.txt` of [directory].
+ * Ctrl-C has the experiment [given] up.
+ */
+internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<String>) -> Unit, punctuality: Punctuality) -> T): T {
+    val progress = Progress.onStandardOutput()
+    listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }
+    val begin = System.nanoTime()
+    val file = Files.newOutputStream(directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND)
+    try {
+        return PrintStream(file, true, Charsets.UTF_8).use { log ->
+            Logs.to(log)
+            Punctuality().use { work({ facts -> progress.show(facts, System.nanoTime() - begin) }, it) }
+        }
+    } finally {
+        progress.end()
+    }
+}
+
+/** Describes this machine for a report, after the number of runs at once in words. */
+internal fun machine(atOnce: String): String =
+    listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
+        .let { "$atOnce on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
+
+/** Returns the version and the commit of ARGO. The property `argo.build` has them if there is no jar. */
+internal fun build(): String =
+    System.getProperty("argo.build") ?: Punctuality::class.java.`package`.implementationVersion ?: "of an unknown version"

@@ -1,0 +1,61 @@
+package experiment.delegation
+
+import experiment.analysis.CONFIDENCE
+import experiment.analysis.Factorial
+import experiment.analysis.Interval
+import experiment.report.median
+import org.apache.commons.math3.distribution.TDistribution
+import org.apache.commons.math3.stat.StatUtils
+import kotlin.math.exp
+import kotlin.math.ln
+import kotlin.math.sqrt
+
+/**
+ * A ratio of times, with its 95 % interval; null: there is only one block.
+ *
+ * @property value the geometric mean
+ */
+internal data class Ratio(val value: Double, val interval: Interval?)
+
+/**
+ * Returns the ratio whose logarithms were measured in each block, by Student's t distribution: the blocks are independent, and what a
+ * machine does to a whole block is the same above and below the line.
+ */
+internal fun ratio(logarithms: List<Double>): Ratio {
+    val values = logarithms.toDoubleArray()
+    val mean = StatUtils.mean(values)
+    if (values.size < 2) return Ratio(exp(mean), null)
+    val margin = TDistribution(values.size - 1.0).inverseCumulativeProbability((1 + CONFIDENCE) / 2) *
+        sqrt(StatUtils.variance(values) / values.size)
+    return Ratio(exp(mean), Interval(exp(mean - margin), exp(mean + margin)))
+}
+
+/** Compares the designs in the runs [measured] of whole blocks of [plan]. The reaction of a run is the median of its reactions. */
+internal class Comparison(measured: List<Measured>, val plan: DelegationPlan) {
+    private val results = measured.associate { it.run to it.result }
+
+    /** The results of [design] under [load], one for each block. */
+    fun results(load: Load, design: Design): List<DelegationResult> =
+        (1..plan.blocks).map { results.getValue(DelegationRun(it, load, design)) }
+
+    /** The reaction of [design] under [load] in ms: the median of all blocks. */
+    fun reaction(load: Load, design: Design): Double = median(results(load, design).map { median(it.times) })
+
+    private fun logarithm(load: Load, design: Design, block: Int) = ln(median(results(load, design)[block - 1].times))
+
+    /** Returns the reaction of [design] over that of one agent in the same block, over all of [loads]. */
+    fun ratio(design: Design, loads: List<Load>): Ratio = ratio(
+        (1..plan.blocks).map { block ->
+            loads.map { logarithm(it, design, block) - logarithm(it, Design.ONE, block) }.average()
+        },
+    )
+
+    /** Analyses the logarithms of the reactions with this number of [processors] and this [interval] by design, sensors and plans. */
+    fun allocation(processors: Int, interval: Int) = Factorial(
+        Design.entries.map { design ->
+            plan.sensors.map { sensors ->
+                plan.plans.map { plans -> (1..plan.blocks).map { logarithm(Load(processors, interval, sensors, plans), design, it) } }
+            }
+        },
+    )
+}

@@ -1,0 +1,32 @@
+package experiment.report
+
+import org.jetbrains.letsPlot.intern.Plot
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+
+/** The figures of a report, which it numbers. Their files are in [directory]. */
+internal class Figures(private val directory: Path) {
+    private var count = 0
+
+    init {
+        Files.createDirectories(directory)
+    }
+
+    /**
+     * Writes the figure [name] as SVG and PNG, and shows it in the page in the colours of the reader. Screen readers get the text
+     * [instead].
+     */
+    fun write(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String {
+        val light = svg(plot(Shades.LIGHT))
+        Files.writeString(directory.resolve("$name.svg"), light)
+        Files.write(directory.resolve("$name.png"), png(light))
+        return """<figure><div class="wide" tabindex="0" role="group" aria-label="figure"><picture>
+<source media="(prefers-color-scheme: dark)" srcset="${data(svg(plot(Shades.DARK)))}">
+<img alt="${escaped(instead)}" src="${data(light)}"></picture></div>
+<figcaption>Figure ${++count}. ${escaped(caption)}</figcaption></figure>
+"""
+    }
+
+    private fun data(svg: String) = "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(svg.toByteArray())
+}

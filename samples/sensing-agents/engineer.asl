@@ -1,0 +1,5 @@
+// Sees temperatures. Tells the pilot that it sees, and which temperature is above the limit.
+{ include("senses.asl") }
+
++temp(f, _) : not told <- +told; .send(pilot, tell, sees(engineer)).
++temp(_, Degrees) : limit(Limit) & Degrees > Limit & not hot <- +hot; .send(pilot, tell, too_hot(Degrees)).
