@@ -346,6 +346,30 @@ class PageSpec : FunSpec({
         }
     }
 
+    test("the agent is paused, goes on for a cycle, and stops at a line").config(tags = thorough, enabledOrReasonIf = browser) {
+        shown("dist(f,38);") { mas, _ ->
+            enter("#place", "bob.asl:${AGENT.lines().indexOfFirst { "+!rest" in it } + 1}")
+            press("Stop there")
+            await { texts("#breakpoints .text").size == 1 }
+            enter("#goal", "rest")
+            press("Begin")
+            await { text("#connection") == "stands" && texts("#intentions .chip") == listOf("stands here") }
+            picture("stands")
+            enter("#belief", "noted(standing)")
+            press("Believe")
+            await { "noted(standing)" in texts("#beliefs .text") }
+            press("One cycle")
+            await { text("#connection") == "stands" }
+            press("remove")
+            await { texts("#breakpoints .text").isEmpty() }
+            press("Go on")
+            await { text("#connection") == "live" && texts("#intentions .detail").single().startsWith("waits for .wait") }
+            press("Pause")
+            await { text("#connection") == "stands" }
+            mas.awaitBelief("bob", "noted(standing)")
+        }
+    }
+
     test("another page in the browser can order nothing").config(tags = thorough, enabledOrReasonIf = browser) {
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer("dist(f,38);")
@@ -414,7 +438,8 @@ private infix fun List<String>.shouldContainText(part: String) = joinToString("\
 private const val ATTACK = """
     (async address => {
         const orders = {
-            command: { command: 'stop' }, believe: { text: 'stop' }, begin: { text: 'long' }, forget: { text: 'likes(_)' }, reload: {},
+            command: { command: 'stop' }, believe: { text: 'stop' }, begin: { text: 'long' }, forget: { text: 'likes(_)' },
+            reload: {}, pause: {}, breakpoint: { place: 'bob.asl:6' },
         };
         await Promise.all(Object.entries(orders).map(([path, order]) => press(address + path, JSON.stringify(order))));
         document.title = 'all tried';
