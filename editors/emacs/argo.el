@@ -49,5 +49,10 @@
 (add-to-list 'eglot-server-programs '((agentspeak-mode mas2j-mode) . argo-server))
 (add-hook 'agentspeak-mode-hook #'eglot-ensure)
 
+;; the debugger: start agents with argo_debug=4711, then M-x dape
+(with-eval-after-load 'dape
+  (add-to-list 'dape-configs
+               '(argo modes (agentspeak-mode) host "127.0.0.1" port 4711 :type "argo" :request "attach")))
+
 (provide 'argo)
 ;;; argo.el ends here

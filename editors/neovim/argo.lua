@@ -52,6 +52,14 @@ local function attach(buffer)
   keys(buffer)
 end
 
+-- The debugger, if nvim-dap is there: start agents with argo_debug=4711, then :lua require("dap").continue()
+local function debugger()
+  local there, dap = pcall(require, "dap")
+  if not there or dap.adapters.argo then return end
+  dap.adapters.argo = function(attach_to, config) attach_to({ type = "server", host = "127.0.0.1", port = config.port }) end
+  dap.configurations.agentspeak = { { type = "argo", request = "attach", name = "Attach to agents", port = 4711 } }
+end
+
 local group = vim.api.nvim_create_augroup("argo", {})
 for pattern, language in pairs({ ["*.asl"] = "agentspeak", ["*.mas2j"] = "mas2j" }) do
   vim.api.nvim_create_autocmd({ "BufRead", "BufNewFile" }, {
@@ -60,6 +68,7 @@ for pattern, language in pairs({ ["*.asl"] = "agentspeak", ["*.mas2j"] = "mas2j"
     callback = function(event)
       vim.bo[event.buf].filetype = language
       colours()
+      debugger()
       attach(event.buf)
     end,
   })

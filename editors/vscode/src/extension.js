@@ -1,4 +1,4 @@
-// The client of ARGO's language server, and commands that run things in a terminal.
+// The client of ARGO's language server, the way to its debugger, and commands that run things in a terminal.
 const { existsSync } = require("node:fs");
 const { join } = require("node:path");
 const vscode = require("vscode");
@@ -19,6 +19,8 @@ exports.activate = async (context) => {
   register("argo.demo", () => inTerminal("ARGO demo", tool(own, "demo --view")));
   register("argo.ports", () => inTerminal("ARGO ports", tool(own, "ports")));
   register("argo.restart", () => client?.restart());
+  const factory = { createDebugAdapterDescriptor: (session) => new vscode.DebugAdapterServer(session.configuration.port) };
+  context.subscriptions.push(vscode.debug.registerDebugAdapterDescriptorFactory("argo", factory));
   await start(own);
 };
 

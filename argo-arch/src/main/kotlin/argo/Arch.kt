@@ -12,6 +12,10 @@ import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.Observers
 import argo.observing.Order
+import argo.pausing.AgentPausing
+import argo.pausing.PauseWorld
+import argo.pausing.SafeCommand
+import argo.pausing.refusalToPause
 import argo.perception.DeletedPercepts
 import argo.perception.EnvironmentPercepts
 import argo.perception.ReasoningQueues
@@ -36,7 +40,8 @@ import java.util.logging.Logger
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
  * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. The architecture has three kinds of options.
  * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
- * `argo_percepts=4096` is the most percepts of a board that are believed at once. Other options belong to observers, such as
+ * `argo_percepts=4096` is the most percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
+ * before the agent stands, see [argo.observing.Pausing]. Other options belong to observers, such as
  * `argo_view=8080` to the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
@@ -56,6 +61,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
+    private val holdLive = { pausing.isHolding() }
     private val sleepLive = {
         super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && waker.maySleep()
     }
@@ -79,6 +85,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     internal lateinit var policy: SensingPolicy
         private set
+
+    /** The agent's pauses. Available from [init] on. */
+    internal lateinit var pausing: AgentPausing
+        private set
+    private var isBeginning = false // for the agent's thread, as the next
+    private var hasBegunCycle = false
 
     /** The boundary through which all inputs reach the agent. Any thread may ask. */
     @Volatile
@@ -104,11 +116,21 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         policy = options.policy
         val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
-        hand = Hand(log, waker::wake)
+        pausing = AgentPausing(refusalToPause(ts), ts, pauseWorld(options), log) { boundary.asking(it) }
+        hand = Hand(log) { seen -> if (!pausing.meanwhile(::takeOrders)) waker.wake(seen) }
         reloading = Reloading(ts, boards, hand, ::perceiveThrough)
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
+    }
+
+    private fun pauseWorld(options: ArchOptions) = PauseWorld(
+        platform.clock::nanos, { options.safe?.let { SafeCommand(it, boards).send() } }, ::standing, waker::wake, platform.standsStill,
+    )
+
+    private fun standing(isStanding: Boolean) {
+        boards.stands(isStanding)
+        if (isStanding) takeOrders()
     }
 
     /** Returns true if Jason may take no event: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
@@ -126,9 +148,24 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun reasoningCycleStarting() {
         waker.cycleStarts()
-        boundary.cycleStarting(ts)
-        boundary.orders(ordersLive, carryOut)
+        hasBegunCycle = false
+        isBeginning = true
+        pausing.cycleStarting()
+        beginCycle()
+        isBeginning = false
         super.reasoningCycleStarting()
+    }
+
+    /** Begins the cycle at the boundary, unless it has begun, and carries out the orders that have come. */
+    private fun beginCycle() {
+        if (!hasBegunCycle) boundary.cycleStarting(ts)
+        hasBegunCycle = true
+        boundary.orders(ordersLive, carryOut)
+    }
+
+    /** Has an agent that stands between two cycles carry out the orders that have come: they begin its next cycle. For its thread. */
+    private fun takeOrders() {
+        if (isBeginning && !hand.isEmpty()) beginCycle()
     }
 
     /** Returns the percepts if boards, ports or the Jason environment have news since the last call; else null. */
@@ -168,9 +205,14 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun canSleep(): Boolean = boundary.canSleep(sleepLive)
 
     /** Jason calls this between the rules of its cycle. */
-    override fun isRunning(): Boolean = super.isRunning().also { boundary.ruleApplied() }
+    override fun isRunning(): Boolean {
+        val isRunning = super.isRunning()
+        boundary.ruleApplied()
+        return isRunning && !(waker.isInCycle && boundary.isHeld(holdLive))
+    }
 
     override fun reasoningCycleFinished() {
+        pausing.cycleFinished()
         boundary.cycleFinished()
         awaited.giveUpDropped(ts.c.pendingIntentions.keys)
         observing.each { it.cycleFinished() }
@@ -182,6 +224,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** Closes all ports and ends all threads, without waiting for a line. */
     override fun stop() {
         observing.each { it.close() }
+        if (::pausing.isInitialized) pausing.close()
         if (::boards.isInitialized) boards.ports.stop()
         if (!eachIsStopped) super.stop()
     }

@@ -1,8 +1,12 @@
 package argo
 
+import argo.acting.commandTerm
+import argo.acting.requireCommand
+import argo.calls.ArgumentException
 import argo.observing.ObserverOptions
 import argo.perception.PerceptLimit
 import argo.sensing.SensingPolicy
+import jason.asSyntax.Term
 import jason.runtime.Settings
 import java.util.concurrent.ConcurrentHashMap
 import java.util.logging.Logger
@@ -19,11 +23,14 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     val maxPercepts: Int = maxPercepts()
 
+    /** The command that makes a board safe before the agent stands; null: none is known. */
+    val safe: Term? = safeCommand()
+
     /** The observers that the options ask for, such as a live view. */
     val observers = ObserverOptions(observerOptions(), log)
 
     init {
-        val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N") + observers.usages
+        val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N", "$SAFE=COMMAND") + observers.usages
         observers.unread.filter { it !in ofProgram || TOLD.add(it) }.forEach {
             val missing = MODULES[it]?.let { module -> "; the module $module, which argo.jar holds, is not on the class path" }
             log.warning("$it is not an option of argo.Arch, which has ${known.joinToString()}" + missing.orEmpty())
@@ -59,15 +66,28 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         }
     }
 
+    private fun safeCommand(): Term? {
+        val written = settings.getUserParameter(SAFE) ?: return null
+        return try {
+            commandTerm(written).also(::requireCommand)
+        } catch (wrong: ArgumentException) {
+            log.severe("$SAFE=$written: ${wrong.message}; the boards go on with what they do while the agent stands")
+            null
+        }
+    }
+
     private companion object {
         const val PREFIX = "argo_"
         const val SENSING = "argo_sensing"
-        val OWN = setOf(SENSING, PerceptLimit.OPTION, Infrastructure.FLEET_OPTION)
+        const val SAFE = "argo_safe"
+        val OWN = setOf(SENSING, SAFE, PerceptLimit.OPTION, Infrastructure.FLEET_OPTION)
 
         /** The unknown properties of the program that the log of an agent has reported. */
         val TOLD: MutableSet<String> = ConcurrentHashMap.newKeySet()
 
         /** The modules of this project that add an option, by option; a warning names a missing module. */
-        val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording", "argo_ros" to "argo-ros")
+        val MODULES = mapOf(
+            "argo_view" to "argo-view", "argo_debug" to "argo-debug", "argo_record" to "argo-recording", "argo_ros" to "argo-ros",
+        )
     }
 }

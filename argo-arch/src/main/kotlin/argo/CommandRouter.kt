@@ -10,13 +10,13 @@ import argo.calls.NO_ANSWER
 import argo.connecting.OpenPort
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.platform.isSameFile
 import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
-import kotlin.io.path.Path
 
 /**
  * Finds the board for a command of the agent among [boards], and sends the command there. Belongs to the agent's thread.
@@ -139,13 +139,6 @@ internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
-}
-
-/** Returns true if both name one file. Jason names a file by its whole path, by a URL or by its last part. */
-private fun isSameFile(one: String?, other: String?): Boolean {
-    if (one == null || other == null) return one == other
-    val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }
-    return path.endsWith(otherPath) || otherPath.endsWith(path)
 }
 
 /** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: no percept did. */

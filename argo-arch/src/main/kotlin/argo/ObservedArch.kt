@@ -11,6 +11,7 @@ import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import argo.observing.Order
 import argo.observing.Outcome
+import argo.observing.Pausing
 import argo.observing.SeveralComputers
 import argo.perception.filterNames
 import argo.perception.filterOf
@@ -39,6 +40,7 @@ internal class ObservedArch(
     override val circumstance: Circumstance get() = arch.ts.c
     override val reasoning: TransitionSystem get() = arch.ts
     override val printed: Logger get() = arch.ts.logger
+    override val pausing: Pausing get() = arch.pausing
 
     private val infrastructure = architectures(arch.ts).filterIsInstance<SeveralComputers>().firstOrNull()
     override val computers get() = infrastructure?.computers.orEmpty()

@@ -32,6 +32,9 @@ internal class CommandLedger(
         if (port in pending) movedMs[port] = nowMs() else movedMs -= port
     }
 
+    /** Returns true if a command to [port] counts. */
+    fun isPending(port: Any): Boolean = lock.withLock { port in pending }
+
     /** Returns the number of the command issued last; 0: none. */
     fun lastIssued(): Long = lock.withLock { issued }
 

@@ -89,6 +89,10 @@ internal class AgentBoards(
     var hasNamespaces = false
         private set
 
+    /** True while the agent stands, see [argo.observing.Pausing]. */
+    @Volatile
+    private var isStanding = false
+
     val states = PortStates(::portChanged)
 
     val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
@@ -143,7 +147,7 @@ internal class AgentBoards(
             if (count.countOneBits() == 1) log.warning("the agent is too slow for the events of port ${board.term}: $count are lost")
         }
         return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
-            late.report("late") {
+            if (!isStanding) late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"
             }
@@ -232,6 +236,13 @@ internal class AgentBoards(
                 outcome(failure, answer)
             }
         }
+    }
+
+    /** Notes that the agent begins or ceases to stand. Then it perceives next the newest snapshots, and no earlier ones. Agent's thread. */
+    fun stands(isStanding: Boolean) {
+        this.isStanding = isStanding
+        val dropped = if (isStanding) 0 else current.sumOf(Board::catchUp)
+        if (dropped > 0) log.info("$dropped snapshots that came while the agent stood are left out, and it perceives the newest")
     }
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {

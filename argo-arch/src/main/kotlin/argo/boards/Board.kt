@@ -188,6 +188,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** Returns true if a ready snapshot waits for no other board. Any thread. */
     fun isUrgent(): Boolean = handOver.isUrgent()
 
+    /** Perceives next the newest snapshot: see [HandOver.catchUp]. */
+    fun catchUp(): Int = handOver.catchUp()
+
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
         believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }

@@ -61,6 +61,15 @@ interface Boundary {
     /** Notes that Jason may have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
     fun ruleApplied()
 
+    /**
+     * Returns true if the agent carries out no intention in this cycle, since it is to stand first; [live] returns whether it is. Called
+     * between two rules of the cycle.
+     */
+    fun isHeld(live: () -> Boolean): Boolean
+
+    /** Returns the result of [ask], a person's question to the agent, which leaves no trace in its cycles. Also called between cycles. */
+    fun <T> asking(ask: () -> T): T
+
     /** Ends the cycle. */
     fun cycleFinished()
 }
@@ -101,5 +110,7 @@ internal object Live : Boundary {
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) = live(action)
     override fun canSleep(live: () -> Boolean) = live()
     override fun ruleApplied() = Unit
+    override fun isHeld(live: () -> Boolean) = live()
+    override fun <T> asking(ask: () -> T) = ask()
     override fun cycleFinished() = Unit
 }

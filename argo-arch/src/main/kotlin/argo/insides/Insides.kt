@@ -54,6 +54,10 @@ object Insides {
     /** True if Jason has notified the agent that it falls asleep; no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
+    /** Jason tells nobody which of its rules comes next. */
+    val nextDeliberating: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepDeliberate")
+    val nextActing: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepAct")
+
     // events and intentions of an agent whose replay begins in the middle of its life; Jason makes such objects only by reasoning
 
     /** There is no setter. */
@@ -92,4 +96,11 @@ object Insides {
     val all: List<Inside<*>> get() = found + WaitEvents.fields
 
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }
+
+    /**
+     * Returns true if the agent of [ts] has deliberated and has chosen no intention yet in this cycle. Only for its thread, between two
+     * rules of its cycle.
+     */
+    fun isBeforeIntention(ts: TransitionSystem): Boolean =
+        nextActing[ts] == TransitionSystem.State.SelInt && nextDeliberating[ts] == TransitionSystem.State.ProcAct
 }

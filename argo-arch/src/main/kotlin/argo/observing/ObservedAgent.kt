@@ -45,6 +45,9 @@ interface ObservedAgent {
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
+    /** Has the agent stand, and go on. */
+    val pausing: Pausing
+
     /** The computers of the agent's system; empty: it is on one computer. */
     val computers: List<ObservedComputer> get() = emptyList()
 

@@ -35,6 +35,10 @@ internal class FreshHandOver(
     @Volatile
     private var newest: Snapshot? = null
 
+    /** True if the next snapshot waits for no work: see [catchUp]. */
+    @Volatile
+    private var isCatchingUp = false
+
     override fun put(snapshot: Snapshot) {
         val waitedMs = lock.withLock {
             keep(snapshot)
@@ -74,10 +78,10 @@ internal class FreshHandOver(
 
     private inline fun isReady(isDone: () -> Boolean): Boolean {
         val urgent = firstCritical()
-        return if (urgent == null) isWaiting() && isDone() else mayBeEarly(urgent) || isDone()
+        return if (urgent == null) isWaiting() && (isCatchingUp || isDone()) else mayBeEarly(urgent) || isDone()
     }
 
-    override fun isUrgent(): Boolean = firstCritical() != null && isReady()
+    override fun isUrgent(): Boolean = (isCatchingUp || firstCritical() != null) && isReady()
 
     override fun dueInMs(): Long? = if (!isWaiting()) null else work.dueInMs()
 
@@ -89,7 +93,7 @@ internal class FreshHandOver(
     override fun take(): Snapshot? {
         work.takenIn()
         if (!isWaiting() && firstCritical() == null) return null
-        val isInTurn = work.isDone(isAwaited = true)
+        val isInTurn = work.isDone(isAwaited = true) || isCatchingUp
         if (!isReady { isInTurn }) return null
         return lock.withLock { next(isInTurn) }?.also { work.begin() }
     }
@@ -97,6 +101,7 @@ internal class FreshHandOver(
     private fun next(isInTurn: Boolean): Snapshot? {
         val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeInTurn() else null) ?: return null
         if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
+        isCatchingUp = false
         known = next.critical.mapTo(HashSet()) { it.percept }
         waitingSince = null
         last = next.withoutEvent()
@@ -119,7 +124,15 @@ internal class FreshHandOver(
         (critical + inTurn).sortedBy { it.receivedNanos }.also { critical.clear() }
     }
 
+    override fun catchUp(): Int = lock.withLock {
+        val late = critical.size - if (newest == null) 1 else 0
+        repeat(late) { critical.removeFirst() }
+        isCatchingUp = true
+        maxOf(0, late)
+    }
+
     override fun clear() = lock.withLock {
+        isCatchingUp = false
         critical.clear()
         events.clear()
         last = null

@@ -26,6 +26,12 @@ internal interface HandOver {
     /** Takes out all snapshots, in the order of their messages. */
     fun drain(): List<Snapshot>
 
+    /**
+     * Has the newest snapshot taken next, whatever work is left, and drops all earlier ones, since the agent has stood. Returns how many
+     * snapshots are dropped that it would have perceived.
+     */
+    fun catchUp(): Int
+
     /** Forgets the snapshots that have not been taken, and the critical percepts of taken ones. */
     fun clear()
 }
@@ -49,6 +55,12 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     override fun take(): Snapshot? = waiting.poll()?.also { count.decrementAndGet() }
 
     override fun drain() = generateSequence(::take).toList()
+
+    override fun catchUp(): Int {
+        val all = drain()
+        all.lastOrNull()?.let(::put)
+        return maxOf(0, all.size - 1)
+    }
 
     override fun clear() {
         drain()

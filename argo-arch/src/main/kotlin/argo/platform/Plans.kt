@@ -19,6 +19,9 @@ class Plans private constructor(val library: Any) {
     @Suppress("UNCHECKED_CAST")
     val all: List<Plan> get() = call(ALL, library) as List<Plan>
 
+    /** Returns a copy of the plans in their order. Any thread may call; a plan that is just being added may be missing. */
+    fun copy(): List<Plan> = ArrayList<Plan?>(all).filterNotNull()
+
     /** Returns true if a plan may be relevant to an event with [trigger]. */
     fun hasCandidate(trigger: Trigger): Boolean = call(HAS_CANDIDATE, library, trigger) as Boolean
 

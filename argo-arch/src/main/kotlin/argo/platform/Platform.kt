@@ -24,6 +24,9 @@ interface Platform {
     /** The boundary of the agents on this platform, as in a replay; null: their inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
+    /** True if nothing happens here while an agent's thread stands, as in virtual time and in a replay: the world stands still with it. */
+    val standsStill: Boolean get() = false
+
     /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 

@@ -45,6 +45,9 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
     }
 
+    /** True if the calling thread carries out a cycle of the agent. */
+    val isInCycle: Boolean get() = Thread.currentThread() === reasoner
+
     fun cycleStarts() {
         reasoner = Thread.currentThread()
     }

@@ -1,5 +1,7 @@
 package argo.jason
 
+import argo.Arch
+import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.matchers.shouldBe
@@ -62,6 +64,9 @@ internal class LocalMas : AutoCloseable {
         val services = RuntimeServicesFactory.get()
         services.startAgent(services.createAgent(name, source, null, listOfNotNull("argo.Arch", behind), null, settings, null))
     }
+
+    /** Returns agent [name] as its observers see it. */
+    fun observed(name: String): ObservedAgent = (mas.getAg(name).firstAgArch as Arch).observed
 
     /** Gives agent [name] the goal. */
     fun achieve(name: String, goal: String) {

@@ -184,9 +184,9 @@ class SlowCycles : AgArch() {
     }
 }
 
-private fun threads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }
+internal fun threads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }
 
-private fun agentThreads(): List<String> = threads().filter { it.startsWith("argo-") || it.startsWith("write ") }
+internal fun agentThreads(): List<String> = threads().filter { it.startsWith("argo-") || it.startsWith("write ") }
 
 private fun argoThreads(): List<String> = agentThreads() + threads().filter { it.startsWith("board sim:") }
 

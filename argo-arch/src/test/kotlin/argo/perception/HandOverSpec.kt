@@ -232,6 +232,22 @@ class HandOverSpec : FunSpec({
             told.size shouldBe 1
         }
 
+        test("after the agent has stood, the newest is taken next whatever work is left, and none before it") {
+            val ledger = CommandLedger { Robot }
+            val handOver = FreshHandOver(EarlierWork(ledger))
+            ledger.issue(Robot)
+            handOver.put(snapshot(1))
+            handOver.take()
+            handOver.put(snapshot(2))
+            handOver.put(snapshot(3))
+            handOver.isReady() shouldBe false
+            handOver.catchUp() shouldBe 0
+            (handOver.isReady() to handOver.isUrgent()) shouldBe (true to true)
+            handOver.take()?.receivedNanos shouldBe 3
+            handOver.put(snapshot(4))
+            handOver.isReady() shouldBe false
+        }
+
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger { Robot }
             val handOver = FreshHandOver(EarlierWork(ledger))
@@ -260,6 +276,15 @@ class HandOverSpec : FunSpec({
             val handOver = EveryHandOver { error(it) }
             (1L..10).forEach { handOver.put(snapshot(it)) }
             (1L..10).map { handOver.take()?.receivedNanos } shouldBe (1L..10).toList()
+            handOver.take() shouldBe null
+        }
+
+        test("after the agent has stood gives the newest only, and counts the others") {
+            val handOver = EveryHandOver { }
+            for (n in 1L..5) handOver.put(snapshot(n))
+            handOver.catchUp() shouldBe 4
+            handOver.take()?.receivedNanos shouldBe 5
+            handOver.catchUp() shouldBe 0
             handOver.take() shouldBe null
         }
 

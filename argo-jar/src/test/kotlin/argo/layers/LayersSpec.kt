@@ -55,6 +55,11 @@ class LayersSpec : FunSpec({
             ),
         "argo.hand" to
             listOf("argo.boards", "argo.perception", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
+        "argo.pausing" to
+            listOf(
+                "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
+                "argo.observing",
+            ),
     )
 
     val lines = arrayOf("javino", "javino.link", "javino.wire")
@@ -62,6 +67,7 @@ class LayersSpec : FunSpec({
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
+            "argo.debug", "argo.pausing",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.tools",
             "argo.lsp", "argo.ros", "argo.fleet", "argo.fleet.agents", "argo.fleet.node", "argo.fleet.cluster",
             "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.ros.checking", "argo.mcap", "argo.recording.storage", "javino",
@@ -141,6 +147,15 @@ class LayersSpec : FunSpec({
                 .dependOnClassesThat(
                     productBut("argo.view..", "argo.recording", "argo.recording.replay", "argo.tools.command", "argo.tools.why"),
                 ).check(product)
+        }
+    }
+
+    context("debuggers") {
+        test("reach agents knowing observed agents, and of ARGO nothing else, and are known by nobody") {
+            noClasses().that().resideInAPackage("argo.debug").should()
+                .dependOnClassesThat(productBut("argo.debug", "argo.observing", "argo.filters..")).check(product)
+            noClasses().that().resideOutsideOfPackage("argo.debug").should()
+                .dependOnClassesThat().resideInAPackage("argo.debug").check(product)
         }
     }
 

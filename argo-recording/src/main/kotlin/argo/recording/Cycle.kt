@@ -66,6 +66,8 @@ data class Input(
     val eventPlaces: Map<Int, Int> = emptyMap(),
     @Holds("the orders of a person that it was given, carried out or refused at the beginning of the cycle")
     val orders: List<GivenOrder> = emptyList(),
+    @Holds("whether it carried out no intention, since it was to stand first, as at a breakpoint")
+    val isHeld: Boolean = false,
 )
 
 /** Returns the texts of the terms that a replay reads. */

@@ -14,6 +14,7 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     private var unnamed: Board? = null
 
     override val clock = time
+    override val standsStill get() = true
 
     override fun start(name: String, run: () -> Unit): Thread = time.start(name, run)
 

@@ -1,5 +1,7 @@
 package argo.recording
 
+import argo.Arch
+import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.shouldBe
 import jason.infra.local.RunLocalMAS
@@ -38,6 +40,9 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         agents += name
         services.startAgent(services.createAgent(name, address(source), null, listOf("argo.Arch"), null, settings, null))
     }
+
+    /** Returns agent [name] as its observers see it. */
+    fun observed(name: String): ObservedAgent = (mas.getAg(name).firstAgArch as Arch).observed
 
     /** Returns when agent [name] believes [belief]. */
     suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) {

@@ -1,12 +1,20 @@
 package argo.recording
 
+import argo.observing.Order
+import argo.observing.PausePhase
+import argo.observing.StopAt
 import argo.recording.replay.Recording
+import argo.recording.replay.Replay
 import argo.recording.replay.RecordingException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
 import javino.sim.SimulatedBoards
 import javino.sim.Sketch
 import kotlinx.coroutines.delay
@@ -132,6 +140,55 @@ class RealTimeReplaySpec : FunSpec({
             runBlocking { mas.awaitBelief("buyer", "bought(-23)") }
         }
         shouldReplay(file)
+    }
+
+    test("an agent that stands at breakpoints, is asked and given orders there, and goes on") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent(
+                "walker",
+                """
+                near(X) :- at(Y) & X = Y + 1.
+                !walk(0).
+                +!walk(N) : N < 30
+                   <- -+at(N);
+                      .random(R); .wait(R * 3);
+                      !walk(N + 1).
+                +!walk(_) <- +home.
+                +told(N) <- .random(R); .print(N, R).
+                """.trimIndent(),
+            )
+            val walker = mas.observed("walker")
+            val (pausing, reasoning) = walker.pausing to walker.reasoning
+            val asked = AtomicInteger()
+            pausing.follow {
+                if (it.phase == PausePhase.STANDING) {
+                    val question = ASSyntax.parseFormula("near(_) & .random(_)")
+                    pausing.look { if (reasoning.ag.believes(question, Unifier())) asked.incrementAndGet() }
+                    walker.order(Order.Believe("told(${asked.get()})")) { }
+                    if (asked.get() % 3 == 0) pausing.goOnUntil(StopAt.NextCycle) else pausing.goOn()
+                }
+            }.use {
+                pausing.breakAt(this, "walker.asl", listOf(3, 5))
+                runBlocking { mas.awaitBelief("walker", "home") }
+            }
+            asked.get() shouldBeGreaterThan 10
+        }
+        Recording(file).use { recording -> recording.cycles("walker").count { it.input.isHeld } } shouldBeGreaterThan 10
+        shouldReplay(file)
+        val lines = ArrayList<Int?>()
+        Recording(file).use { recording ->
+            Replay(recording).use { replay ->
+                val pausing = replay.pausing("walker")
+                pausing.breakAt(this, "walker.asl", listOf(4, 6))
+                pausing.follow {
+                    if (it.phase == PausePhase.STANDING) pausing.goOn().also { _ -> lines += it.place?.line }
+                }
+                replay.run().differences.shouldBeEmpty()
+            }
+        }
+        lines.filter { it == 4 }.size shouldBe 30
+        lines.filter { it == 6 }.size shouldBe 30
     }
 
     test("an agent that is stopped in the middle of a cycle") {

@@ -40,6 +40,8 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             "argo_sensing" to oneOf("fresh", "every", "in_cycle"), "argo_percepts" to whole(1..Int.MAX_VALUE),
             "argo_view" to whole(0..65_535),
             "argo_watch" to oneOf("true", "false"),
+            "argo_debug" to whole(0..65_535),
+            "argo_safe" to KnownOption("a command, as stop or \"speed(0)\"", ::isLiteral),
             "argo_record" to KnownOption("a file such as \"drive.mcap\", or \"last(5)\" for the last five minutes", ::isRecording),
             "argo_ros" to KnownOption("the address of a rosbridge_server, as \"robot:9090\"") { value ->
                 value.isNotBlank() && value.toIntOrNull() == null
@@ -51,6 +53,8 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
         /** The option that a fleet reads. Agents without the architecture may have it too. */
         const val OF_FLEET = "argo_fleet"
+
+        private fun isLiteral(value: String) = Regex("""\s*[a-z]\w*\s*(\(.+\)\s*)?""").matches(value)
 
         private fun isRecording(value: String): Boolean {
             val last = Regex("last\\((.*)\\)").matchEntire(value.trim())

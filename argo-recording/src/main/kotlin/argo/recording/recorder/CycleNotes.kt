@@ -36,6 +36,7 @@ internal class CycleNotes(val ns: Long) {
     val calls = ArrayList<CallNote>()
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
+    var isHeld = false
     var orders: List<GivenOrder> = emptyList()
 
     /** The reason why no replay can have this cycle; null: none is known. */
@@ -60,12 +61,12 @@ internal class CycleNotes(val ns: Long) {
     fun end() = calls.forEach(CallNote::end)
 
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty() && orders.isEmpty() && !isChangedOutside && refusal == null
+        filters.isEmpty() && orders.isEmpty() && !isChangedOutside && !isHeld && refusal == null
 
     /** Returns the agent's input. Call this after the cycle. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
-        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders, isHeld,
     )
 }
 

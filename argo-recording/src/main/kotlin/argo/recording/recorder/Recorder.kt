@@ -393,6 +393,18 @@ internal class Recorder(
         current()?.course?.ruleApplied()
     }
 
+    override fun isHeld(live: () -> Boolean): Boolean = live().also { if (it) current()?.now?.isHeld = true }
+
+    override fun <T> asking(ask: () -> T): T {
+        val around = inCycle
+        inCycle = null
+        try {
+            return ask()
+        } finally {
+            inCycle = around
+        }
+    }
+
     override fun cycleFinished() {
         val agent = current() ?: return
         finishCycle(agent, isEnding = !agent.ts.agArch.isRunning)

@@ -196,6 +196,7 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
 /** The platform of an agent in a replay, with the recorded input. This platform opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
+    override val standsStill get() = true
 
     /** Returns a thread that never runs. An agent starts a thread to close its ports, but has no ports here. */
     override fun start(name: String, run: () -> Unit) = Thread(run, name)

@@ -1,5 +1,6 @@
 package argo.recording.replay
 
+import argo.observing.Pausing
 import argo.recording.Cycle
 import argo.recording.agent.shownBeliefs
 
@@ -49,6 +50,12 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
 
     /** The beginning of the next cycle, in ns of the agents' clock; null: none is left. */
     val nextNs: Long? get() = next.values.minOfOrNull { it.ns }
+
+    /**
+     * Returns the pauses of [agent] in this replay. While the agent stands, [run] does not return, so another thread has it go on. A pause
+     * changes nothing of the agent's course.
+     */
+    fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing
 
     /** Runs all cycles that began before [untilNs], and returns itself. */
     fun run(untilNs: Long = Long.MAX_VALUE): Replay = apply {

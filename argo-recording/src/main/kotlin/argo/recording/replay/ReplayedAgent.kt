@@ -1,6 +1,8 @@
 package argo.recording.replay
 
+import argo.Arch
 import argo.boundary.Boundary
+import argo.observing.ObservedAgent
 import argo.recording.Cycle
 import argo.recording.RecordedAgent
 import argo.recording.agent.restoreIn
@@ -26,6 +28,9 @@ internal class ReplayedAgent(
     private val inputs = ReplayedInputs(answers)
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
+
+    /** The agent as its observers see it. */
+    val observed: ObservedAgent get() = (ts.agArch as Arch).observed
     private val start = recording.start(recorded.name)
     private val seen = LinkedHashSet<String>() // names of the project's threads seen so far
     private var lastIndex = start?.index ?: 0L

@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Perception
+import argo.insides.Insides
 import argo.observing.CommandFailure
 import argo.observing.Order
 import argo.recording.Call
@@ -155,15 +156,15 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [work], which only asks. The calls in [work] get the results recorded in this cycle, and do not count as the agent's calls. For
+     * Does [ask], which only asks. The calls in [ask] get the results recorded in this cycle, and do not count as the agent's calls. For
      * the agent's thread.
      */
-    fun <T> asking(work: () -> T): T {
+    override fun <T> asking(ask: () -> T): T {
         val around = isAsking
         val counters = Counters.read()
         isAsking = true
         try {
-            return work()
+            return ask()
         } finally {
             isAsking = around
             Counters.write(counters)
@@ -223,6 +224,11 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     override fun ruleApplied() {
         if (::course.isInitialized && Keeper.current === this) course.ruleApplied()
+    }
+
+    override fun isHeld(live: () -> Boolean): Boolean {
+        live() // a debugger may have the replay stand here
+        return cycle.input.isHeld && Insides.isBeforeIntention(ts)
     }
 
     override fun cycleFinished() {

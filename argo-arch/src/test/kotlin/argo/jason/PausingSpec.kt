@@ -1,0 +1,225 @@
+package argo.jason
+
+import argo.observing.Order
+import argo.observing.Outcome
+import argo.observing.PausePhase
+import argo.observing.PauseState
+import argo.observing.Pausing
+import argo.observing.StopAt
+import argo.pausing.AgentPausing
+import argo.pausing.PauseWorld
+import argo.pausing.refusalToPause
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain as shouldContainText
+import jason.asSemantics.Agent
+import jason.asSemantics.TransitionSystem
+import jason.infra.local.LocalAgArchAsynchronous
+import jason.runtime.Settings
+import javino.sim.FakeBoard
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.logging.Logger
+
+/** Agents that stand on their own threads, with boards in real time. */
+class PausingSpec : FunSpec({
+    val reading = AtomicInteger()
+
+    fun board(): FakeBoard = FakeBoard.plugIn("robot").lenient().version2().knows("seen/1", "stop/0", "slow/0").apply {
+        whenAsked("getPercepts").answer { "dist(f,${reading.incrementAndGet()});" }
+    }
+
+    /** Does [go] and returns the next state in which the agent stands. */
+    fun Pausing.standing(go: Pausing.() -> Unit): PauseState {
+        val next = CompletableFuture<PauseState>()
+        follow { if (it.phase == PausePhase.STANDING) next.complete(it) }.use {
+            go()
+            return next.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS)
+        }
+    }
+
+    fun <T> Pausing.ask(question: () -> T): T {
+        val answer = CompletableFuture<T>()
+        look { answer.complete(question()) } shouldBe true
+        return answer.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS)
+    }
+
+    fun seen(board: FakeBoard) = board.received().filter { it.startsWith("seen") }
+
+    test("a paused agent makes its board safe, is sensed while it stands, and goes on with the newest snapshot") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING, mapOf("argo_safe" to "stop"))
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                val pausing = mas.observed("bob").pausing
+                pausing.standing { pause() }.run {
+                    why shouldBe "it was paused"
+                    boards shouldBe listOf("the board on \"sim:robot\" has got stop")
+                }
+                board.received().last { !it.startsWith("getPercepts") } shouldBe "stop"
+                val before = seen(board)
+                val last = reading.get() + 5
+                eventually(LIMIT) { reading.get() shouldBeGreaterThan last }
+                seen(board) shouldBe before
+                pausing.goOn()
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan before.size }
+                val next = seen(board)[before.size].removePrefix("seen(").removeSuffix(")").toInt()
+                next shouldBeGreaterThan last - 1
+                mas.log shouldContainText "the agent stands: it was paused; the board on"
+            }
+        }
+    }
+
+    test("with argo_sensing=every, the snapshots that came while it stood are left out, which is told") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING, mapOf("argo_sensing" to "every"))
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                val pausing = mas.observed("bob").pausing
+                pausing.standing { pause() }.boards shouldBe listOf("its boards go on with what they do, since it has no option argo_safe")
+                val last = reading.get() + 5
+                eventually(LIMIT) { reading.get() shouldBeGreaterThan last }
+                pausing.goOn()
+                eventually(LIMIT) { mas.log shouldContainText "snapshots that came while the agent stood are left out" }
+            }
+        }
+    }
+
+    test("the safe command overtakes waiting commands, and is sent behind them once more") {
+        board().use { board ->
+            board.whenAsked("slow").outcomeAfter(100)
+            LocalMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot"); argo.percepts(open); !!go(1); !!go(2); !!go(3).
+                    +!go(N) <- argo.act(slow).
+                """, mapOf("argo_safe" to "stop"))
+                eventually(LIMIT) { board.received() shouldContain "slow" }
+                val pausing = mas.observed("bob").pausing
+                pausing.standing { pause() }
+                board.received().last { !it.startsWith("getPercepts") } shouldBe "stop"
+                board.received().filter { it == "stop" }.size shouldBe 2
+            }
+        }
+    }
+
+    test("an agent stands before the step at a breakpoint, once, and can be asked there") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING)
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                val pausing = mas.observed("bob").pausing
+                pausing.breakAt(this, "other.asl", listOf(4)).single().refusal shouldBe
+                    "the agent has no plan of this file; it has plans of bob.asl"
+                val state = pausing.standing {
+                    breakAt(this, "bob.asl", listOf(4, 99)).map { it.line to it.refusal } shouldBe
+                        listOf(5 to null, null to "no plan or step is at line 99 or behind it")
+                }
+                state.place?.line shouldBe 5
+                val reasoning = mas.observed("bob").reasoning
+                val x = pausing.ask { reasoning.c.runningIntentions.single { it.id == state.intention }.peek().unif.toString() }
+                val next = "seen(${x.substringAfter("X=").substringBefore("}")})"
+                seen(board).contains(next) shouldBe false
+                pausing.standing { goOn() }.place?.line shouldBe 5
+                eventually(LIMIT) { seen(board) shouldContain next }
+                pausing.removeBreakpoints(pausing)
+                pausing.goOn()
+                val before = seen(board).size
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan before + 3 }
+            }
+        }
+    }
+
+    test("an agent goes on for one cycle, until a plan is chosen, until it believes something, and step by step") {
+        LocalMas().use { mas ->
+            mas.agent("bob", COUNTING)
+            val observed = mas.observed("bob")
+            val pausing = observed.pausing
+            pausing.standing { pause() }
+            val cycle = pausing.ask { observed.reasoning.agArch.cycleNumber }
+            pausing.standing { goOnUntil(StopAt.NextCycle) }.why shouldBe "one cycle is over"
+            pausing.ask { observed.reasoning.agArch.cycleNumber } shouldBe cycle + 1
+            pausing.standing { goOnUntil(StopAt.Belief("at(_)")) }.why.orEmpty() shouldContainText "it believes at("
+            val chosen = pausing.standing { goOnUntil(StopAt.ChosenPlan("+!next")) }
+            chosen.why shouldBe "the plan counting for +!next(N) was chosen"
+            shouldThrow<IllegalArgumentException> { pausing.goOnUntil(StopAt.ChosenPlan("+!gone")) }.message shouldBe
+                "the agent has no plan +!gone; name one by its label, or by its trigger without arguments, as in +!drive"
+            shouldThrow<IllegalArgumentException> { pausing.goOnUntil(StopAt.Belief("at(")) }.message.orEmpty() shouldContainText "'at('"
+            val step = StopAt.Step(checkNotNull(chosen.intention), StopAt.Way.INTO)
+            List(3) { pausing.standing { goOnUntil(step) }.place?.line } shouldBe listOf(5, 4, 5)
+        }
+    }
+
+    test("an order to an agent that stands is carried out at once") {
+        LocalMas().use { mas ->
+            mas.agent("bob", COUNTING)
+            val observed = mas.observed("bob")
+            observed.pausing.standing { pause() }
+            val outcome = CompletableFuture<Outcome>()
+            observed.order(Order.Believe("limit(60)")) { outcome.complete(it) }
+            outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
+            observed.pausing.ask { "limit(60)[source(self)]" in observed.beliefs.map { "$it" } } shouldBe true
+            observed.pausing.state.phase shouldBe PausePhase.STANDING
+        }
+    }
+
+    test("a board that has no such command, and an agent without the option, are told") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING, mapOf("argo_safe" to "halt"))
+                mas.agent("alice", "!start.")
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                mas.observed("bob").pausing.standing { pause() }.boards.single() shouldContainText
+                    "the board on \"sim:robot\" has not got halt: "
+                mas.observed("alice").pausing.standing { pause() }.boards shouldBe
+                    listOf("its boards go on with what they do, since it has no option argo_safe")
+            }
+        }
+    }
+
+    test("an agent of three threads cannot stand, which is told") {
+        val ts = TransitionSystem(Agent(), null, Settings(), LocalAgArchAsynchronous())
+        val refusal = refusalToPause(ts)
+        refusal.orEmpty() shouldContainText "the agent has a thread each for sensing, deliberating and acting"
+        val world = PauseWorld({ 0 }, { null }, { }, { }, isStandingStill = false)
+        AgentPausing(refusal, ts, world, Logger.getLogger("argo.test")) { it() }.run {
+            pause()
+            cycleStarting() // returns
+            state.phase shouldBe PausePhase.RUNNING
+            breakAt(this, "bob.asl", listOf(1)).single().refusal shouldBe refusal
+        }
+    }
+
+    test("an agent that is killed while it stands leaves nothing, and one with a wrong safe command is told so") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING, mapOf("argo_safe" to "stop("))
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                mas.log shouldContainText "SEVERE argo.Arch.bob: argo_safe=stop(: 'stop('"
+                mas.observed("bob").pausing.standing { pause() }
+                mas.kill("bob")
+                eventually(LIMIT) { (agentThreads() + threads().filter { it == "bob" }).shouldBeEmpty() }
+            }
+        }
+    }
+})
+
+private const val WATCHING = """!start.
++!start <- argo.port("sim:robot"); argo.limit(10); argo.percepts(open).
++dist(f,X)
+   // the command
+   <- argo.act(seen(X)).
+"""
+
+private const val COUNTING = """!next(0).
+@counting
++!next(N)
+   <- -+at(N);
+      !next(N+1).
+"""

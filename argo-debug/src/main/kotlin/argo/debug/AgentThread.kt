@@ -1,0 +1,57 @@
+package argo.debug
+
+import argo.observing.ObservedAgent
+import argo.observing.PausePhase
+import argo.observing.PauseState
+import jason.asSemantics.IntendedMeans
+import jason.asSemantics.Intention
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+
+/** An agent as a thread of a debugger. Any thread may call. */
+internal class AgentThread(val number: Int, val agent: ObservedAgent) {
+    val pausing get() = agent.pausing
+
+    /** The number of the intention that a debugger shows; null: the agent has none. Only in [asking]. */
+    val shown: Intention?
+        get() {
+            val all = agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
+            val first = pausing.state.intention ?: agent.circumstance.runningIntentions.firstOrNull()?.id
+            return all.find { it.id == first } ?: all.firstOrNull()
+        }
+
+    /** Returns the plans of [intention], the latest first. Only in [asking]. */
+    fun plans(intention: Intention): List<IntendedMeans> = intention.toList()
+
+    /**
+     * Returns what [ask] returns, which the agent's thread calls.
+     * @throws DebugException if the agent does not stand
+     */
+    fun <T> asking(ask: () -> T): T {
+        val answer = CompletableFuture<T>()
+        val stands = pausing.look {
+            try {
+                answer.complete(ask())
+            } catch (failed: Throwable) { // of a formula, which may be anything
+                answer.completeExceptionally(failed)
+            }
+        }
+        if (!stands) throw DebugException("agent ${agent.name} does not stand; pause it first")
+        try {
+            return answer.get(PATIENCE_S, TimeUnit.SECONDS)
+        } catch (failed: java.util.concurrent.ExecutionException) {
+            throw failed.cause ?: failed
+        } catch (_: java.util.concurrent.TimeoutException) {
+            throw DebugException("agent ${agent.name} has not answered for $PATIENCE_S s; the question may have no end")
+        }
+    }
+
+    fun stands(state: PauseState = pausing.state) = state.phase == PausePhase.STANDING
+
+    private companion object {
+        const val PATIENCE_S = 10L
+    }
+}
+
+/** What a debugger asked for cannot be had; [message] says why, for a person. */
+internal class DebugException(message: String) : Exception(message)
