@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicInteger
 /**
  * Makes the missing runs of an experiment, [jobs] at a time in their order, and keeps their records.
  *
- * A run is repeated if this machine was late for its own simulation, see [punctual]. The last one counts, and its result records the delay.
+ * A run is repeated if this machine was late for its own simulation, see [punctual]. The last try counts, and its result records the delay.
  */
 internal class Campaign(
     private val archive: Archive,

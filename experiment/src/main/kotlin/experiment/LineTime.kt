@@ -23,7 +23,7 @@ internal fun answerLimitMs(trial: Trial): Int =
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
-/** Returns the number of bytes of a request and its answer. In version 2 the computer knows [known] texts. */
+/** Returns the number of bytes of a request and its answer. In version 2 the computer knows the texts of [known] percepts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }
     if (!trial.condition.isVersion2) {

@@ -286,7 +286,7 @@ internal class RosLink private constructor(
 
         /**
          * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against their types as far as the bridge
-         * knows them. [log] takes what the user is told, on several threads.
+         * knows them. [log] takes messages to the user, on several threads.
          *
          * @throws PortException if there is no bridge, or a field does not exist
          */

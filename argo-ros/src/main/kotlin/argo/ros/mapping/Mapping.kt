@@ -54,7 +54,7 @@ internal class PerceptRule(
     val shape: List<Any?>?
         get() = percept.arguments.map { (it as? Expression.Constant)?.value }.takeIf { null in it }?.plus(percept.functor)
 
-    /** True if no message may be passed over: one that meets the condition counts even if a later one, soon after it, does not. */
+    /** True if no message may be skipped: a message that meets the condition counts even if the next message soon does not. */
     val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
 }
 
