@@ -102,7 +102,8 @@ private class Ordered : ObservedAgent by Nobody {
             .run { status to body.decodeToString() }
 }
 
-private class Pauses : Pausing {
+/** Notes what it is asked for. The agent runs. */
+internal class Pauses : Pausing {
     override var refusal: String? = null
     override val state = PauseState(PausePhase.RUNNING, null, emptyList(), null, null, 0)
     override val breakpoints = emptyList<Breakpoint>()
