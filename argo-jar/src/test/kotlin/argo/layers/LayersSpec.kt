@@ -39,6 +39,7 @@ class LayersSpec : FunSpec({
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
         "argo.boundary" to listOf("argo.observing"),
+        "argo.watching" to listOf("argo.observing"),
         "argo.insides" to emptyList(),
         "argo.mind" to listOf("argo.observing"),
         "argo.platform" to listOf("argo.links", "argo.boundary", "argo.insides"),
@@ -141,7 +142,7 @@ class LayersSpec : FunSpec({
     context("the live view") {
         test("knows observed agents, filters and kinds of percepts, and of ARGO nothing else") {
             noClasses().that().resideInAPackage("argo.view").should()
-                .dependOnClassesThat(productBut("argo.view", "argo.observing", "argo.hand", "argo.filters..", "javino")).check(product)
+                .dependOnClassesThat(productBut("argo.view", "argo.observing", "argo.filters..", "javino")).check(product)
         }
         test("shows recordings knowing how they are read and what a tool is") {
             noClasses().that().resideInAPackage("argo.view.timeline").should()
