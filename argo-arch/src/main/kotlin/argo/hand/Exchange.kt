@@ -2,6 +2,7 @@ package argo.hand
 
 import argo.observing.Order
 import argo.observing.Outcome
+import argo.observing.ProgramFile
 import argo.platform.Plans
 import jason.JasonException
 import jason.asSemantics.GoalListenerForMetaEvents
@@ -11,26 +12,25 @@ import jason.asSyntax.Plan
 import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.Rule
 import jason.bb.BeliefBase
+import java.util.IdentityHashMap
 
-/** Exchanges the program of the agent, see [Order.Reload]. Throws [OrderRefusedException]; the agent is then unchanged. */
-internal fun TransitionSystem.reload(order: Order.Reload): Outcome {
+/**
+ * Exchanges the program of the agent, see [Order.Reload], for [program], which has been read from the order's files. The agent itself reads
+ * only parts that have changed. Throws [OrderRefusedException]; the agent is then unchanged.
+ */
+internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText): Outcome {
     val files = order.files.mapTo(HashSet(order.gone)) { it.address }
-    val beliefs = ArrayList<Literal>()
     val library = Plans.of(ag)
     val before = library.all.toList()
-    val read = Plans.readInto(ag) {
-        try {
-            ProgramReading(ag) { within, name -> order.files.first { it.within == within && it.name == name } }.read(order.files.first())
-        } finally {
-            beliefs += ag.initialBels
-            ag.initialBels.clear()
-            ag.initialGoals.clear()
-        }
-    }
+    program.plans.fileless(order.files.first().address, ag.aslSrc)
+    val plans = ExchangedPlans(before, program.plans) { it.sourceFile in files }
+    val shortened = program.without(plans.kept)
+    val (read, beliefs) = readParts(shortened.files)
+    check(read.size == program.plans.size - shortened.without.size) { "Jason reads other plans from parts of the program than from all of it" }
     read.fileless(order.files.first().address, ag.aslSrc)
-    val plans = ExchangedPlans(before, read) { it.sourceFile in files }
+    val now = plans.now(shortened.without, read)
     try {
-        if (plans.now != before) library.replaceBy(plans.now)
+        if (now != before) library.replaceBy(now)
     } catch (refused: JasonException) { // such as a label that a plan has which was added at run time
         library.replaceBy(before)
         throw OrderRefusedException(refused.message.orEmpty())
@@ -38,6 +38,21 @@ internal fun TransitionSystem.reload(order: Order.Reload): Outcome {
     if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason adds it once
     val rules = ExchangedRules(ag.bb, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
     return Outcome(null, listOf(plans.told()) + rules.exchange())
+}
+
+/** Has the agent read the program in [files]. Returns its plans, and its initial beliefs and rules. */
+private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan>, List<Literal>> {
+    val beliefs = ArrayList<Literal>()
+    val plans = Plans.readInto(ag) {
+        try {
+            ProgramReading(ag, { within, name -> files.first { it.within == within && it.name == name } }).read(files.first())
+        } finally {
+            beliefs += ag.initialBels
+            ag.initialBels.clear()
+            ag.initialGoals.clear()
+        }
+    }
+    return plans to beliefs
 }
 
 /**
@@ -58,31 +73,46 @@ private fun ruleOf(belief: Literal): Rule? = when {
  * The plans of an agent before and after its program is exchanged. Plans that are alike stay, with their labels.
  *
  * @param before all plans of the agent
- * @param read the plans of the new program
+ * @param drafted the plans of the new program
  * @param isOfProgram returns true for those of its plans that the program had
  */
-private class ExchangedPlans(before: List<Plan>, read: List<Plan>, isOfProgram: (Plan) -> Boolean) {
+private class ExchangedPlans(private val before: List<Plan>, private val drafted: List<Plan>, private val isOfProgram: (Plan) -> Boolean) {
     private val left = before.filter(isOfProgram).groupByTo(HashMap(), ::keyOf)
     private val old = before.count(isOfProgram)
-    private val program = read.map { plan -> takeLike(plan) ?: plan }
-    private val isNew = read.zip(program).count { (one, other) -> one === other }
+    private val like = IdentityHashMap<Plan, Plan>()
 
-    /** All plans of the agent, in their order: the program's stand where its first one stood. */
-    val now: List<Plan> = before.takeWhile { !isOfProgram(it) }.let { first ->
-        first + program + before.drop(first.size).filterNot(isOfProgram)
+    init {
+        drafted.forEach { plan -> takeLike(plan)?.let { like[plan] = it } }
+    }
+
+    private val isNew = drafted.size - like.size
+
+    /** Those of [drafted] that the agent has already. */
+    val kept: Set<Plan> get() = like.keys
+
+    /**
+     * Returns all plans of the agent, in their order: the program's stand where its first one stood. The agent has [read] anew all of
+     * [drafted] but those in [without].
+     */
+    fun now(without: Set<Plan>, read: List<Plan>): List<Plan> {
+        val others = read.iterator()
+        val program = drafted.map { plan -> (if (plan in without) null else others.next()).let { like[plan] ?: checkNotNull(it) } }
+        val first = before.takeWhile { !isOfProgram(it) }
+        return first + program + before.drop(first.size).filterNot(isOfProgram)
     }
 
     /** Returns the plan that is like [plan], and takes the places of its steps from that; null: there is none. */
     private fun takeLike(plan: Plan): Plan? {
         val candidates = left[keyOf(plan)] ?: return null
-        for (candidate in candidates) {
-            val likeness = Likeness()
-            if (candidate.sourceFile != plan.sourceFile || !likeness.isAlike(candidate, plan)) continue
-            if (likeness.move()) candidate.srcInfo = plan.srcInfo
-            candidates.remove(candidate)
-            return candidate
-        }
-        return null
+        val found = candidates.indexOfFirst { it.sourceFile == plan.sourceFile && isLike(it, plan) }
+        return if (found < 0) null else candidates.removeAt(found)
+    }
+
+    private fun isLike(one: Plan, other: Plan): Boolean {
+        val likeness = Likeness()
+        if (!likeness.isAlike(one, other)) return false
+        if (likeness.move()) one.srcInfo = other.srcInfo
+        return true
     }
 
     private fun keyOf(plan: Plan): Any = plan.trigger.let { if (it.literal.isVar) it.type else it.predicateIndicator }

@@ -14,7 +14,7 @@ import java.util.logging.Logger
  * @param wake wakes the agent until its argument returns true
  */
 internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit) {
-    private class Given(val order: Order, val done: (Outcome) -> Unit)
+    private class Given(val order: Order, val program: ProgramText?, val done: (Outcome) -> Unit)
 
     private val given = CompletionInbox<Given>(wake)
     private val taken = ArrayDeque<Given>()
@@ -22,25 +22,29 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
     /** Returns true if no order waits. Any thread. */
     fun isEmpty(): Boolean = given.isEmpty()
 
-    /** Leaves [order] for the agent's next cycle. Then the agent's thread calls [done] once. Any thread. */
-    fun give(order: Order, done: (Outcome) -> Unit) = given.put(Given(order, done))
+    /**
+     * Leaves [order] for the agent's next cycle. Then the agent's thread calls [done] once. Any thread.
+     * @param program what has been read from the files of a reload; null: the agent's thread reads them
+     */
+    fun give(order: Order, program: ProgramText? = null, done: (Outcome) -> Unit) = given.put(Given(order, program, done))
 
     /** Takes the orders that wait, in their order. For the agent's thread, like [carryOut]. */
     fun takeAll(): List<Order> = given.takeAll().also { taken += it }.map { it.order }
 
     /** Has the agent of [ts] carry [order] out, and tells its outcome to the person who gave it: nobody, if a replay gives it. */
     fun carryOut(order: Order, ts: TransitionSystem) {
-        val outcome = outcomeOf(order, ts)
-        taken.removeFirstOrNull()?.done?.invoke(outcome)
+        val given = taken.removeFirstOrNull()
+        val outcome = outcomeOf(order, given?.program, ts)
+        given?.done?.invoke(outcome)
     }
 
-    private fun outcomeOf(order: Order, ts: TransitionSystem): Outcome = try {
+    private fun outcomeOf(order: Order, program: ProgramText?, ts: TransitionSystem): Outcome = try {
         when (order) {
             is Order.Believe -> ts.believe(order.literal)
             is Order.Forget -> ts.forget(order.literal)
             is Order.Begin -> ts.begin(order.goal)
             is Order.Drop -> ts.drop(order.goal)
-            is Order.Reload -> ts.reload(order)
+            is Order.Reload -> ts.reload(order, program ?: ProgramText.of(order.files))
             is Order.Resume -> ts.resume(order.beliefs)
             is Order.BeginAnew -> ts.beginAnew(order.events)
         }

@@ -10,22 +10,30 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Pred
 import jason.asSyntax.VarTerm
 import jason.asSyntax.parser.ParseException
+import jason.asSyntax.parser.SimpleCharStream
 import jason.asSyntax.parser.TokenMgrError
 import jason.asSyntax.parser.as2j
+import jason.asSyntax.parser.as2jConstants
+import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
 /**
  * Has the agent [into] read a program as Jason reads one at the agent's beginning, but with the included files that [find] returns: the one
  * called `name` in the file at `within`, or in the program itself if that is empty. For the agent's thread, or the only thread of the agent.
+ *
+ * @param around called around the reading of each part of a file: a plan, a belief, a goal or a directive
  */
-internal class ProgramReading(private val into: Agent, private val find: (within: String, name: String) -> ProgramFile) : Includes {
-    private val around = KeptInclude.current
+internal class ProgramReading(
+    private val into: Agent,
+    private val find: (within: String, name: String) -> ProgramFile,
+    private val around: (file: ProgramFile, agent: Agent, read: () -> ProgramPart) -> Unit = { _, _, read -> read() },
+) : Includes {
+    private val outer = KeptInclude.current
 
     /** Reads [program]. Throws [OrderRefusedException], with the file and the line, if Jason cannot read it. */
     fun read(program: ProgramFile) {
         KeptInclude.install()
-        val work = { parse(program, into, Literal.DefaultNS) }
-        KeptInclude.within(this, work)
+        KeptInclude.within(this) { parse(program, into, Literal.DefaultNS) }
     }
 
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent {
@@ -37,7 +45,7 @@ internal class ProgramReading(private val into: Agent, private val find: (within
         }
     }
 
-    override fun agent(): Agent = around?.agent() ?: Agent()
+    override fun agent(): Agent = outer?.agent() ?: Agent()
 
     private fun namespaceOf(directive: Pred): Atom = when (val wanted = if (directive.arity > 1) directive.getTerm(1) else null) {
         is VarTerm -> throw OrderRefusedException("$directive has a namespace that Jason names anew at each reading; name it to reload it")
@@ -49,8 +57,10 @@ internal class ProgramReading(private val into: Agent, private val find: (within
         val parser = as2j(StringReader(file.text))
         parser.setASLSource(file.address)
         parser.ns = namespace
+        parser.setAg(agent)
         try {
-            parser.agent(agent)
+            while (parser.getToken(1).kind != as2jConstants.EOF) around(file, agent) { part(parser, agent) }
+            parser.agent(agent) // reads the end
         } catch (unreadable: ParseException) {
             refuse(file, unreadableAt(unreadable))
         } catch (unreadable: TokenMgrError) {
@@ -60,7 +70,45 @@ internal class ProgramReading(private val into: Agent, private val find: (within
         }
     }
 
+    private fun part(parser: as2j, agent: Agent): ProgramPart {
+        val first = parser.getToken(1)
+        parser.agent_component(agent)
+        return ProgramPart(Place(first.beginLine, first.beginColumn), parser.token.run { Place(endLine, endColumn) })
+    }
+
     private fun refuse(file: ProgramFile, why: String): Nothing = throw OrderRefusedException("${file.shortName}: $why")
+}
+
+/** A part of a file, from its first character to its last one. */
+internal class ProgramPart(val first: Place, val last: Place)
+
+/** The place of a character: its line and its column, from 1, as Jason's parser counts them. */
+internal data class Place(val line: Int, val column: Int) : Comparable<Place> {
+    override fun compareTo(other: Place) = compareValuesBy(this, other, Place::line, Place::column)
+}
+
+/** The distance of the stops to which Jason's parser counts a tab. */
+private val TAB = as2jTokenManager(SimpleCharStream(StringReader("\ta"))).nextToken.beginColumn - 1
+
+/** Returns this text with blanks in place of the characters of [parts], which do not overlap. */
+internal fun String.without(parts: List<ProgramPart>): String {
+    if (parts.isEmpty()) return this
+    val text = StringBuilder(this)
+    val left = ArrayDeque(parts.sortedBy { it.first })
+    var line = 1
+    var column = 0
+    for ((index, char) in withIndex()) {
+        val isBreak = char == '\n' || char == '\r' && getOrNull(index + 1) != '\n'
+        column += if (char == '\t') TAB - column % TAB else 1
+        val place = Place(line, column)
+        while (left.isNotEmpty() && left.first().last < place) left.removeFirst()
+        if (!isBreak && char != '\r' && left.isNotEmpty() && left.first().first <= place) text[index] = ' '
+        if (isBreak) {
+            line++
+            column = 0
+        }
+    }
+    return "$text"
 }
 
 /** The name of the file without its folder. */

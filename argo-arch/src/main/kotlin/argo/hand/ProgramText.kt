@@ -1,11 +1,13 @@
 package argo.hand
 
 import argo.boundary.Overlaps
+import argo.insides.Insides
 import argo.insides.KeptInclude
 import argo.observing.ProgramFile
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSyntax.Literal
+import jason.asSyntax.Plan
 import jason.asSyntax.directives.NameSpace
 import java.io.File
 import java.io.IOException
@@ -13,22 +15,71 @@ import java.net.MalformedURLException
 import java.net.URL
 import java.nio.charset.Charset
 import java.nio.file.Path
+import java.util.Collections
+import java.util.IdentityHashMap
 
 /**
- * The text of a program on disk, which Jason can read.
+ * A program that Jason can read, and what it has read. No agent runs it.
  *
- * @property files the program, and behind it each file that it includes
+ * @property files the program, and behind it each file that it includes, in the order of their reading
  * @property paths the paths of those [files] that are on this computer's disks
- * @property beliefs its initial beliefs, without rules
- * @property goals its initial goals
+ * @param draft the agent that has read it
  */
 internal class ProgramText private constructor(
     val files: List<ProgramFile>,
     val paths: List<Path>,
-    val beliefs: List<Literal>,
-    val goals: List<Literal>,
+    draft: Agent,
+    private val parts: List<Part>,
 ) {
+    /** A [part] of [file], with its [plans]. If [isOther], it has or does something else, such as a rule. */
+    private class Part(val file: ProgramFile, val part: ProgramPart, val plans: List<Plan>, val isOther: Boolean)
+
+    val plans: List<Plan> = Plans.of(draft).all.toList()
+
+    /** The initial beliefs, without rules. */
+    val beliefs: List<Literal> = draft.initialBels.filterNot(::isRule).map { it.capply(null) as Literal }
+
+    /** The initial goals. */
+    val goals: List<Literal> = draft.initialGoals.toList()
+
     val addresses: Set<String> get() = files.mapTo(LinkedHashSet()) { it.address }
+
+    /** The [files] with blanks in place of parts, and the plans of these parts. */
+    class Shortened(val files: List<ProgramFile>, val without: Set<Plan>)
+
+    /** Returns the program without the parts that have only plans of [kept], beliefs and goals. */
+    fun without(kept: Set<Plan>): Shortened {
+        val once = files.groupBy { it.within to it.name }.values.mapNotNull { it.singleOrNull() }
+        val dropped = parts.filter { !it.isOther && it.plans.all(kept::contains) && once.any { file -> file === it.file } }
+        val without: MutableSet<Plan> = Collections.newSetFromMap(IdentityHashMap())
+        dropped.forEach { without += it.plans }
+        val shortened = files.map { file -> file.copy(text = file.text.without(dropped.filter { it.file === file }.map { it.part })) }
+        return Shortened(shortened, without)
+    }
+
+    /** Has a new agent read a program, and notes the parts of its files. */
+    private class Drafting(private val find: (within: String, name: String) -> ProgramFile) {
+        private val draft = Agent().apply { initAg() }
+        private val parts = ArrayList<Part>()
+
+        fun read(main: ProgramFile): Pair<Agent, List<Part>> = try {
+            ProgramReading(draft, find, ::note).read(main)
+            draft to parts
+        } catch (broken: RuntimeException) { // such as of a directive that there is not
+            throw OrderRefusedException("${main.shortName}: Jason cannot read it: $broken")
+        } finally {
+            draft.stopAg() // so that Jason's inspector does not show it
+        }
+
+        private fun note(file: ProgramFile, agent: Agent, read: () -> ProgramPart) {
+            val (plans, beliefs, goals) = listOf(Plans.of(agent).all.size, agent.initialBels.size, agent.initialGoals.size)
+            val part = read()
+            val own = Plans.of(agent).all.drop(plans)
+            val added = agent.initialBels.drop(beliefs)
+            val isNothing = own.isEmpty() && added.isEmpty() && agent.initialGoals.size == goals // such as a function that it registers
+            parts += Part(file, part, own, isNothing || added.any(::isRule))
+        }
+    }
 
     companion object {
         /**
@@ -45,20 +96,29 @@ internal class ProgramText private constructor(
                 files += it
             }
             val main = add("", "", nameOf(address), mainAt(address))
-            val draft = Agent().apply { initAg() } // it only reads
             val number = Overlaps.begin()
-            try {
-                ProgramReading(draft) { within, name -> included(within, name).let { add(within, name, it.address, it) } }.read(main)
-            } catch (broken: RuntimeException) { // such as of a directive that there is not
-                throw OrderRefusedException("${main.shortName}: Jason cannot read it: $broken")
+            val (draft, parts) = try {
+                Drafting { within, name -> included(within, name).let { add(within, name, it.address, it) } }.read(main)
             } finally {
                 Overlaps.end(number)
-                draft.stopAg() // so that Jason's inspector does not show it
             }
-            refuseLocalNames(draft)
-            val beliefs = draft.initialBels.filter { !it.isRule && it.isGround }.map { it.capply(null) as Literal }
-            return ProgramText(files, sources.mapNotNull { it.path }, beliefs, draft.initialGoals.toList())
+            return ProgramText(files, sources.mapNotNull { it.path }, draft, parts).also { refuseLocalNames(it) }
         }
+
+        /** Reads the program in [files] again. Jason's counters stay as they are, so no other agent may run meanwhile. */
+        fun of(files: List<ProgramFile>): ProgramText {
+            val counters = listOf(Insides.variableCounter, Insides.planCounter).map { it[null] }
+            val before = counters.map { it.get() }
+            val included = files.drop(1).iterator() // in the order of their reading
+            try {
+                val (draft, parts) = Drafting { _, _ -> included.next() }.read(files.first())
+                return ProgramText(files, emptyList(), draft, parts)
+            } finally {
+                counters.zip(before) { counter, value -> counter.set(value) }
+            }
+        }
+
+        private fun isRule(belief: Literal) = belief.isRule || !belief.isGround
 
         private fun mainAt(address: String) = try {
             ProgramSource.at(address)
@@ -77,8 +137,8 @@ internal class ProgramText private constructor(
             File(address).name
         }
 
-        private fun refuseLocalNames(draft: Agent) {
-            val literals = Plans.of(draft).all.map { it.trigger.literal } + draft.initialBels + draft.initialGoals
+        private fun refuseLocalNames(program: ProgramText) {
+            val literals = program.plans.map { it.trigger.literal } + program.beliefs + program.goals
             val local = literals.find { it.ns.functor.startsWith(NameSpace.LOCAL_PREFIX) } ?: return
             throw OrderRefusedException(
                 "${local.ns} is a local namespace, which Jason names anew at each reading; make it global to reload the program",

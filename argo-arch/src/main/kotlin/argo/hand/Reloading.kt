@@ -73,7 +73,7 @@ internal class Reloading(
         } catch (refused: OrderRefusedException) {
             return done(Outcome(refused.message))
         }
-        hand.give(Order.Reload(program.files, known.addresses - program.addresses)) { outcome ->
+        hand.give(Order.Reload(program.files, known.addresses - program.addresses), program) { outcome ->
             done(if (outcome.refusal != null) outcome else outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)))
         }
     }
@@ -128,7 +128,7 @@ internal class Reloading(
         if (literals.isEmpty()) return emptyList()
         val shown = literals.joinToString(transform = ::shown)
         if (offer !in takes) return listOf("new initial ${offer.word}, not ${offer.taken}: $shown (argo.reload([${offer.word}]) takes them)")
-        literals.forEach { hand.give(order(shown(it))) {} }
+        literals.forEach { hand.give(order(shown(it)), done = {}) }
         return listOf("new initial ${offer.word}, ${offer.taken}: $shown")
     }
 

@@ -147,20 +147,20 @@ class ReloadSpec : FunSpec({
     }
 
     test("an active filter is read anew, and a broken one refuses the program too") {
-        val program = "!go.\n+!go <- argo.port(ttyACM0); argo.change_filter(front); argo.percepts(open).\n"
+        val program = "!go.\n+!go <- argo.port(ttyACM0); argo.change_filter(narrow); argo.percepts(open).\n"
         fun filter(at: String) = "<PerceptionFilter><filter><predicate>dist</predicate>" +
             "<parameter operator=\"NE\" id=\"0\">$at</parameter></filter></PerceptionFilter>"
-        folder.resolve("front.xml").writeText(filter("front"))
+        folder.resolve("narrow.xml").writeText(filter("front"))
         val recording = driven(program, { board("ttyACM0").shows("dist(front,1)", "dist(back,2)") }) { file ->
             shouldBelieve("dist(front,1)").shouldNotBelieve("dist(back,2)", 100.milliseconds)
-            folder.resolve("front.xml").writeText(filter("back"))
-            reloaded(file, program).told shouldContainExactly listOf("none of the 1 plans has changed", "filters read anew: front")
+            folder.resolve("narrow.xml").writeText(filter("back"))
+            reloaded(file, program).told shouldContainExactly listOf("none of the 1 plans has changed", "filters read anew: narrow")
             shouldBelieve("dist(back,2)").shouldNotBelieve("dist(front,1)", 100.milliseconds)
-            folder.resolve("front.xml").writeText("<PerceptionFilter><wrong/></PerceptionFilter>")
-            reloaded(file, "+!other.\n").refusal.orEmpty() shouldContain "front.xml"
+            folder.resolve("narrow.xml").writeText("<PerceptionFilter><wrong/></PerceptionFilter>")
+            reloaded(file, "+!other.\n").refusal.orEmpty() shouldContain "narrow.xml"
             Programs.plansOf(this).size shouldBe 1
-            folder.resolve("front.xml").deleteIfExists()
-            reloaded(file, program).told shouldContain "the filter front is not found any more; the agent keeps it as it was"
+            folder.resolve("narrow.xml").deleteIfExists()
+            reloaded(file, program).told shouldContain "the filter narrow is not found any more; the agent keeps it as it was"
             after(1.seconds)
         }
         shouldReplay(recording)
