@@ -38,11 +38,11 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. The architecture has three kinds of options.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. The architecture has these options.
  * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
  * `argo_percepts=4096` is the most percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
- * before the agent stands, see [argo.observing.Pausing]. Other options belong to observers, such as
- * `argo_view=8080` to the live view.
+ * before the agent stands, see [argo.observing.Pausing]. `argo_resume="robot.state"` is the file with the state from which the agent goes
+ * on. Other options belong to observers, such as `argo_view=8080` to the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
  * A reasoning cycle waits for a line only under `in_cycle`, which exists for comparison.
@@ -101,6 +101,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     lateinit var observed: ObservedAgent
         private set
 
+    private var resuming: Resuming? = null
+
     @Volatile
     private var observing = Observers(emptyList(), Logger.getLogger(Arch::class.java.name), platform.clock::nanos)
 
@@ -120,8 +122,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         hand = Hand(log) { seen -> if (!pausing.meanwhile(::takeOrders)) waker.wake(seen) }
         reloading = Reloading(ts, boards, hand, ::perceiveThrough)
         observed = ObservedArch(this, waker, platform)
-        observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
+        resuming = options.resume?.let { Resuming.open(this, it, platform, log) }
+        observing = Observers(options.observers.open(observed) + listOfNotNull(resuming), log, platform.clock::nanos)
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
+        resuming?.begin(observed::order)
     }
 
     private fun pauseWorld(options: ArchOptions) = PauseWorld(
@@ -148,6 +152,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun reasoningCycleStarting() {
         waker.cycleStarts()
+        resuming?.cycleStarting()
         hasBegunCycle = false
         isBeginning = true
         pausing.cycleStarting()

@@ -26,11 +26,15 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
     /** The command that makes a board safe before the agent stands; null: none is known. */
     val safe: Term? = safeCommand()
 
+    /** The value of the option that names the file with the agent's state; null: the agent has none. */
+    val resume: String? = settings.getUserParameter(Resuming.OPTION)
+
     /** The observers that the options ask for, such as a live view. */
     val observers = ObserverOptions(observerOptions(), log)
 
     init {
-        val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N", "$SAFE=COMMAND") + observers.usages
+        val own = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N", "$SAFE=COMMAND", "${Resuming.OPTION}=FILE")
+        val known = own + observers.usages
         observers.unread.filter { it !in ofProgram || TOLD.add(it) }.forEach {
             val missing = MODULES[it]?.let { module -> "; the module $module, which argo.jar holds, is not on the class path" }
             log.warning("$it is not an option of argo.Arch, which has ${known.joinToString()}" + missing.orEmpty())
@@ -80,7 +84,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         const val PREFIX = "argo_"
         const val SENSING = "argo_sensing"
         const val SAFE = "argo_safe"
-        val OWN = setOf(SENSING, SAFE, PerceptLimit.OPTION, Infrastructure.FLEET_OPTION)
+        val OWN = setOf(SENSING, SAFE, PerceptLimit.OPTION, Resuming.OPTION, Infrastructure.FLEET_OPTION)
 
         /** The unknown properties of the program that the log of an agent has reported. */
         val TOLD: MutableSet<String> = ConcurrentHashMap.newKeySet()

@@ -40,7 +40,8 @@ abstract class BoardInternalAction internal constructor(private val name: String
         return ts.boundary.call(InternalCall(name, args, un, suspend)) { carryOut(call) }
     }
 
-    private fun carryOut(call: Call): Boolean {
+    /** Carries [call] out outside of an intention. Throws [JasonException] if it fails. Called by the agent's thread. */
+    internal fun carryOut(call: Call): Boolean {
         try {
             if (call.args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${call.args.size}")
             run(call)

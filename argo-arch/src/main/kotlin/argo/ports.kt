@@ -26,12 +26,16 @@ open class ports : BoardInternalAction("argo.ports", 1..1) {
 
     override fun run(call: Call) {
         val ports = call.arch.boards.ports
-        val wanted = elements(call.args[0]).map(::wantedPort).distinct()
-        wanted.groupBy { "${it.term}" }.values.find { it.size > 1 }?.let {
-            throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")
-        }
+        val wanted = wantedPorts(call.args[0])
         val outcome = call.suspendIntention()
         ports.chooseAll(wanted) { outcome(it, null) }
+    }
+}
+
+/** Reads the [list] of ports of `argo.ports`. Throws [ArgumentException] if it is none. */
+internal fun wantedPorts(list: Term): List<WantedPort> = elements(list).map(::wantedPort).distinct().also { wanted ->
+    wanted.groupBy { "${it.term}" }.values.find { it.size > 1 }?.let {
+        throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")
     }
 }
 

@@ -33,6 +33,7 @@ class CommandLineSpec : FunSpec({
             "collision --baud 0" to "--baud is from 300 to 4000000 bits a second, not 0",
             "collision --boards 3" to "--boards is from 1 to 2",
             "collision --port sim:robot --boards 2" to "--boards is for the simulated robot",
+            "collision --port sim:robot --watch" to "--watch is for the simulated robot",
             "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
             "collision --view=http" to "'--view': http is not a whole number",
             "collision --view=70000" to "--view is from 0 to 65535 as a port, 0 being any that is free, not 70000",

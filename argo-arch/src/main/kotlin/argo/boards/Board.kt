@@ -73,6 +73,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** The filter that was chosen for only this board; null: none was, or everything is kept. */
     val chosenFilter: PerceptionFilter? get() = ownFilter?.filter
 
+    /** True if the board has a filter of its own, which may be none. Any thread may read. */
+    val hasOwnFilter: Boolean get() = ownFilter != null
+
     /** The board's filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 

@@ -48,6 +48,22 @@ internal data class PortOptions(
     /** Returns true if [other] opens a port in the same way. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
+    /** The list that [of] reads as these options. Only options that differ from the default are in it. */
+    val text: String
+        get() = LinkSettings.defaults().let { usual ->
+            listOfNotNull(
+                "baud(${link.baud()})".takeIf { hasBaud },
+                "timeout($timeoutMs)".takeIf { timeoutMs != DEFAULT_TIMEOUT_MS },
+                "stale($staleMs)".takeIf { staleMs != null },
+                "boot(${link.bootMillis()})".takeIf { link.bootMillis() != usual.bootMillis() },
+                "spacing(${link.spacingMillis()})".takeIf { link.spacingMillis() != usual.spacingMillis() },
+                "queue(${link.boardQueue()})".takeIf { link.boardQueue() != usual.boardQueue() },
+                "mode(listen)".takeIf { listens },
+                "protocol(${wordOf(link.protocol())})".takeIf { link.protocol() != usual.protocol() },
+                "as($namespace)".takeIf { namespace != null },
+            ).joinToString(",", "[", "]")
+        }
+
     private fun with(option: Term): PortOptions? {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
@@ -68,6 +84,7 @@ internal data class PortOptions(
 private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), " +
     "spacing(Ms), queue(Messages), stale(Ms) and as(Namespace)"
 private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
+private fun wordOf(protocol: Protocol) = PROTOCOLS.entries.first { it.value == protocol }.key
 private const val MAX_BAUD = 20_000_000
 private const val MAX_MS = 600_000
 private const val MAX_QUEUE = 1000

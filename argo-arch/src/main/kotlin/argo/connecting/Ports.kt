@@ -9,6 +9,7 @@ import jason.asSyntax.Term
 import javino.PortException
 import javino.Transports
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -48,6 +49,11 @@ internal class Ports(
         private set
 
     val current: OpenPort? get() = inUse.firstOrNull()?.port
+
+    private val choices = AtomicInteger()
+
+    /** Counts the calls that choose ports or close them. */
+    val choicesSoFar: Int get() = choices.get()
 
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
 
@@ -246,7 +252,10 @@ internal class Ports(
         closed()
     }
 
-    private fun inTurn(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
+    private fun inTurn(work: () -> Unit) {
+        choices.incrementAndGet()
+        lock.withLock { if (!stopped) opener.execute(work) }
+    }
 
     private fun closeNow() {
         lost.clear()

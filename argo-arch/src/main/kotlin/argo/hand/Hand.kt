@@ -41,6 +41,8 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
             is Order.Begin -> ts.begin(order.goal)
             is Order.Drop -> ts.drop(order.goal)
             is Order.Reload -> ts.reload(order)
+            is Order.Resume -> ts.resume(order.beliefs)
+            is Order.BeginAnew -> ts.beginAnew(order.events)
         }
     } catch (refused: OrderRefusedException) {
         Outcome(refused.message)

@@ -58,14 +58,16 @@ private fun Literal.onlyOf(pattern: Literal) = apply { sources.filterNot(pattern
 /** Begins a goal, see [Order.Begin]. */
 internal fun TransitionSystem.begin(text: String): Outcome {
     val goal = goal(text)
-    if (!Plans.of(ag).hasCandidate(Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal))) {
-        refuse("the agent has no plan for +!${goal.functor}/${goal.arity}")
-    }
+    if (!hasPlan(goal)) refuse("the agent has no plan for +!${goal.functor}/${goal.arity}")
     goal.makeVarsAnnon()
     if (!goal.hasSource()) goal.addAnnot(BeliefBase.TSelf)
     c.addAchvGoal(goal, Intention.EmptyInt)
     return Outcome(null)
 }
+
+/** Returns true if a plan of the agent may be relevant to [goal]. */
+internal fun TransitionSystem.hasPlan(goal: Literal): Boolean =
+    Plans.of(ag).hasCandidate(Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal))
 
 /** Drops a goal, see [Order.Drop]. */
 internal fun TransitionSystem.drop(text: String): Outcome {

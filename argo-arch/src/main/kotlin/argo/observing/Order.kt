@@ -1,8 +1,8 @@
 package argo.observing
 
 /**
- * An order of a person to an agent. The agent carries it out at the beginning of a reasoning cycle, between two steps of its intentions.
- * Its texts are in Jason's notation. Immutable.
+ * An order of a person to an agent, or of an earlier run of it. The agent carries it out at the beginning of a reasoning cycle, between two
+ * steps of its intentions. Its texts are in Jason's notation. Immutable.
  */
 sealed interface Order {
     /**
@@ -28,6 +28,18 @@ sealed interface Order {
      * @property gone the addresses of files that the program included before
      */
     data class Reload(val files: List<ProgramFile>, val gone: Set<String> = emptySet()) : Order
+
+    /**
+     * Has the agent, which has not begun, go on from its last run: it believes [beliefs] in place of all that its program begins with,
+     * goals included. They cause no events, except those that begin with `+`, which it learns only now.
+     */
+    data class Resume(val beliefs: List<String>) : Order
+
+    /**
+     * Has the agent begin its intentions of its last run anew, with their [events]: `!goal`, or `+belief` of a belief that it has. Goals
+     * without a plan are told.
+     */
+    data class BeginAnew(val events: List<String>) : Order
 }
 
 /**

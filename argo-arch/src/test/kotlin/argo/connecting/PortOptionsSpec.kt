@@ -38,6 +38,13 @@ class PortOptionsSpec : FunSpec({
         options.link.boardQueue() shouldBe 4
     }
 
+    test("the text of options is read as the same options") {
+        of("[]").text shouldBe "[]"
+        val all = "[baud(115200),timeout(1000),stale(0),boot(0),spacing(3),queue(4),mode(listen),protocol(1),as(left)]"
+        of(all).text shouldBe all
+        of(of(all).text) shouldBe of(all)
+    }
+
     test("an option that cannot be used is refused in words that say what can") {
         mapOf(
             "[bauds(9600)]" to "bauds(9600) is not an option",

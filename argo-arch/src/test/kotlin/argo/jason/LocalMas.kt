@@ -55,10 +55,14 @@ internal class LocalMas : AutoCloseable {
 
     /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`, [behind] is a second architecture. */
     fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
-        val source = directory.resolve("$name.asl").apply { writeText(program) }
+        agentOf(name, "${directory.resolve("$name.asl").apply { writeText(program) }}", options, behind)
+    }
+
+    /** Starts an agent with the program at [source], a path or a URL, like [agent]. */
+    fun agentOf(name: String, source: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
         val settings = Settings().apply { setOptions(HashMap<String, Any>(options)) }
         val services = RuntimeServicesFactory.get()
-        services.startAgent(services.createAgent(name, "$source", null, listOfNotNull("argo.Arch", behind), null, settings, null))
+        services.startAgent(services.createAgent(name, source, null, listOfNotNull("argo.Arch", behind), null, settings, null))
     }
 
     /** Returns agent [name] as its observers see it. */

@@ -25,6 +25,7 @@ class FleetRecordingSpec : FunSpec({
         +!lose <- .send(b, tell, lost). -!lose[error(E)] <- +lost(E).
         +!miss <- .send(nobody, tell, x). -!miss[error(no_agent),error(receiver_not_found)] <- +missed.
         +!late <- .send(b, askOne, q(X), A). -!late[error(E)] <- +late(E).
+        +!kill : not back <- .wait(10); !kill.
         +!kill <- .kill_agent(b). -!kill[error(E)] <- +spared(E).
     """.trimIndent()
     val told = listOf("said", "lost(unreachable)", "missed", "late(unreachable)", "spared(not_killed)", "done").map { "$it[source(self)]" }
@@ -46,6 +47,7 @@ class FleetRecordingSpec : FunSpec({
             cluster.next().end.complete(null)
             cluster.view()
             cluster.view("scout1" to "1")
+            cluster.receives("scout1", Say("mid10", null, "tell", "b", "a", "back"))
             val kill = cluster.next()
             kill.message shouldBe Kill("b", "a", 0)
             kill.end.completeExceptionally(Refused("not_killed", "b does not let a kill it"))

@@ -39,8 +39,11 @@ class LayersSpec : FunSpec({
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
         "argo.boundary" to listOf("argo.observing"),
+        "argo.watching" to listOf("argo.observing"),
         "argo.insides" to emptyList(),
+        "argo.mind" to listOf("argo.observing"),
         "argo.platform" to listOf("argo.links", "argo.boundary", "argo.insides"),
+        "argo.resuming" to listOf("argo.mind", "argo.observing", "argo.platform"),
         "argo.calls" to listOf("argo.observing", "argo.links"),
         "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
@@ -53,7 +56,7 @@ class LayersSpec : FunSpec({
                 "argo.observing",
             ),
         "argo.hand" to
-            listOf("argo.boards", "argo.perception", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
+            listOf("argo.boards", "argo.perception", "argo.mind", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
         "argo.pausing" to
             listOf(
                 "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
@@ -139,7 +142,7 @@ class LayersSpec : FunSpec({
     context("the live view") {
         test("knows observed agents, filters and kinds of percepts, and of ARGO nothing else") {
             noClasses().that().resideInAPackage("argo.view").should()
-                .dependOnClassesThat(productBut("argo.view", "argo.observing", "argo.hand", "argo.filters..", "javino")).check(product)
+                .dependOnClassesThat(productBut("argo.view", "argo.observing", "argo.filters..", "javino")).check(product)
         }
         test("shows recordings knowing how they are read and what a tool is") {
             noClasses().that().resideInAPackage("argo.view.timeline").should()
@@ -185,10 +188,10 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.fleet.node").should()
                 .dependOnClassesThat(productBut("argo.fleet.node", "argo.fleet.cluster").or(packages("jason.."))).check(product)
         }
-        test("know of the rest how messages are written, what live views see, and what a tool is") {
+        test("know of the rest what a mind is, how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
                 .dependOnClassesThat(
-                    productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                    productBut("argo.fleet..", "argo.mind", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
                 ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {

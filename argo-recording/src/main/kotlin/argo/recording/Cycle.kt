@@ -112,12 +112,12 @@ data class Mail(
     val failure: String? = null,
 )
 
-/** An order of a person. */
+/** An order of a person, or of the agent's last run. */
 @Serializable
 data class GivenOrder(
-    @Holds("its kind: believe, forget, begin, drop or reload")
+    @Holds("its kind: believe, forget, begin, drop or reload; of the agent's last run: resume or begin_anew")
     val kind: String,
-    @Holds("the belief or goal, as the person wrote it")
+    @Holds("the belief or goal, as the person wrote it; of the last run: one on each line, those with an event behind + or !")
     val text: String = "",
     @Holds("of a reload: the program, and behind it each file that it includes")
     val files: List<GivenFile> = emptyList(),

@@ -15,6 +15,7 @@ import argo.tools.exploring.ExploreCommand
 import argo.tools.filter.FilterCommand
 import argo.tools.project.NewCommand
 import argo.tools.recording.RecordingCommand
+import argo.tools.reloading.ReloadCommand
 import argo.tools.samples.DemoCommand
 import argo.tools.samples.ExperimentCommand
 import argo.tools.samples.SampleCommand
@@ -30,7 +31,7 @@ import picocli.CommandLine.Option
     subcommands = [
         PortsCommand::class, DescribeCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
         RecordingCommand::class, WhyCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class,
-        CheckCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
+        CheckCommand::class, NewCommand::class, ReloadCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
         CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],

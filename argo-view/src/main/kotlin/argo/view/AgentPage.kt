@@ -5,7 +5,8 @@ import java.net.URLEncoder
 
 /** The page of one agent: [routes] respond to its requests, and [states] are streamed to it. */
 internal class AgentPage(val agent: ObservedAgent) {
-    val routes = Routes(agent, HandRoutes(agent))
+    val breakpoints = PageBreakpoints(agent)
+    val routes = Routes(agent, HandRoutes(agent, breakpoints))
     val states = Broadcast()
 
     /** The page's path on its server, such as `/bob/`. */

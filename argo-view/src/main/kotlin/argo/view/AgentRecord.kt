@@ -79,7 +79,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
 
     override fun cycleFinished() {
         lock.withLock { counts = counts.copy(cycles = counts.cycles + 1) }
-        mind.cycleFinished()
+        mind.look()
     }
 
     override fun close() = agent.printed.removeHandler(printed)

@@ -25,7 +25,7 @@ class AgentView private constructor(
     private val page = AgentPage(agent)
     private val pages = page.states
     private val server = ViewServers.join(port, page)
-    private val composer = StateComposer(agent, record, server.site::tabs, log)
+    private val composer = StateComposer(agent, record, page.breakpoints, server.site::tabs, log)
     private val closing = CountDownLatch(1)
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
@@ -79,7 +79,7 @@ class AgentView private constructor(
         val mind = record.mind
         mind.isWatched = pages.isWatched
         if (!mind.isWatched) return composer.takeIn()
-        if (mind.isBehind()) agent.wake()
+        if (!agent.pausing.look(mind::look) && mind.isBehind()) agent.wake()
         val isNewPage = pages.takeNewPage()
         val isDue = publishedNanos.let { it == null || System.nanoTime() - it >= REPEAT_NANOS }
         if (isNewPage || isDue || composer.hasNews()) publish(isLast = false, isFull = isNewPage)

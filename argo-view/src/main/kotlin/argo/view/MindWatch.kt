@@ -5,10 +5,10 @@ import java.util.logging.Logger
 
 /**
  * While somebody watches, looks into an agent's mind: on the agent's thread, between two cycles, at most ten times a second.
- * @param look returns the mind; called only by the agent's thread
+ * @param read returns the mind; called only by the agent's thread
  * @param nanos a clock in ns that never goes back
  */
-internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
+internal class MindWatch(private val read: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
     @Volatile
     var isWatched = false
         set(value) {
@@ -28,8 +28,8 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
     private var lookedNanos: Long? = null
     private var hasFailed = false
 
-    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread. */
-    fun cycleFinished() {
+    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread, between two cycles or while it stands. */
+    fun look() {
         if (!isWatched) return
         if (isTooEarly()) {
             missed = true
@@ -46,7 +46,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true
 
     private fun seen(): Seen? = try {
-        Seen(nanos(), look())
+        Seen(nanos(), read())
     } catch (changed: RuntimeException) { // thrown by a project's own belief base, or if another thread changes it
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true

@@ -1,5 +1,6 @@
 package argo.view
 
+import kotlinx.serialization.Serializable
 import java.net.URLDecoder
 import java.util.concurrent.CopyOnWriteArrayList
 
@@ -32,6 +33,7 @@ internal class Site {
     fun respond(request: Request): HttpResponse {
         val respond = when (request.path) {
             "/" -> ::toFirst
+            "/agents" -> ({ HttpResponse.json(Agents(pages.map { it.agent.name }.distinct().sorted())) })
             "/view.css" -> ({ file("view.css", "text/css") })
             "/view.js" -> ({ file("view.js", "text/javascript") })
             "/course.js" -> ({ file("course.js", "text/javascript") })
@@ -54,6 +56,9 @@ internal class Site {
      * @property path the path within the page, such as `/events`, or else within the site
      */
     class Found(val page: AgentPage?, val path: String)
+
+    @Serializable
+    private class Agents(val agents: List<String>)
 
     companion object {
         private const val MAX_TABS = 200

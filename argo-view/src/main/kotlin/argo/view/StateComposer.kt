@@ -9,6 +9,7 @@ import argo.observing.ObservedPort
 import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
+import argo.observing.PauseState as ObservedPause
 import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -21,6 +22,7 @@ import java.util.logging.Logger
 internal class StateComposer(
     private val agent: ObservedAgent,
     private val record: AgentRecord,
+    private val breakpoints: PageBreakpoints,
     private val tabs: () -> Pair<List<AgentTab>, Int>,
     private val log: Logger,
 ) {
@@ -33,6 +35,8 @@ internal class StateComposer(
     private var shownPicture: Picture? = null
     private var shownRules: List<WatchedRule> = emptyList()
     private var shownComputers: List<ObservedComputer> = emptyList()
+    private var shownPause: ObservedPause? = null
+    private var shownBreakpoints: List<BreakpointState> = emptyList()
 
     @Volatile
     var picture: () -> Picture? = { null }
@@ -41,7 +45,8 @@ internal class StateComposer(
 
     /** Returns true if the page would differ from the last [state]. Asks for the project's picture, which may change at any time. */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
-        agent.criticalRules() != shownRules || tabs() != shownTabs || agent.computers != shownComputers
+        agent.criticalRules() != shownRules || tabs() != shownTabs || agent.computers != shownComputers ||
+        agent.pausing.state != shownPause || breakpoints.all != shownBreakpoints
 
     /** Takes in the last message of each board while nobody watches: the courses of numbers then have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
@@ -72,6 +77,8 @@ internal class StateComposer(
         shownPicture = currentPicture()
         shownRules = agent.criticalRules()
         shownComputers = agent.computers
+        val pause = agent.pausing.state.also { shownPause = it }
+        shownBreakpoints = breakpoints.all
         val recorded = record.take(now)
         val ports = agent.ports()
         val perceived = ports.count { it.isPerceived }
@@ -99,6 +106,8 @@ internal class StateComposer(
             agents = shownTabs.first,
             moreAgents = shownTabs.second,
             computers = shownComputers.map(::computerState),
+            pause = pauseState(pause),
+            breakpoints = shownBreakpoints,
         )
     }
 
@@ -138,6 +147,9 @@ internal class StateComposer(
             change?.reason, change?.let { ms(now - it.nanos) },
         )
     }
+
+    private fun pauseState(pause: ObservedPause) =
+        PauseState(pause.phase.name.lowercase(), (listOfNotNull(pause.why) + pause.boards).joinToString("\n"), pause.intention)
 
     private fun sensors(ports: List<ObservedPort>, last: PerceptionTime?, now: Long): SensorState {
         val byName = ports.associateBy { it.name.removeSurrounding("\"") } // a name is a literal

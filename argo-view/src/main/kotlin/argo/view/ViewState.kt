@@ -13,6 +13,7 @@ import kotlinx.serialization.Serializable
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]
  * @property computers the computers of the system; empty: the system is on one computer
+ * @property breakpoints the lines at which pages have the agent stop
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -39,6 +40,8 @@ internal data class ViewState(
     val agents: List<AgentTab>,
     val moreAgents: Int,
     val computers: List<ComputerState>,
+    val pause: PauseState,
+    val breakpoints: List<BreakpointState>,
 )
 
 /**
@@ -57,6 +60,16 @@ internal data class ComputerState(val name: String, val here: Boolean, val on: B
  */
 @Serializable
 internal data class AgentState(val name: String, val viewPort: Int?)
+
+/**
+ * Whether the agent goes on.
+ *
+ * @property phase `running`, `making_safe` (its boards) or `standing`
+ * @property words why the agent stands, and what became of its boards, in lines
+ * @property intention the number of the intention in which it stands; null: in none
+ */
+@Serializable
+internal data class PauseState(val phase: String, val words: String, val intention: Int?)
 
 @Serializable
 internal data class FilterState(val name: String, val words: String)

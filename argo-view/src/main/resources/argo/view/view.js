@@ -51,7 +51,11 @@ const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 
 function text(element, words) { if (element.textContent !== words) element.textContent = words; }
 function showOrHide(element, words) { text(element, words || ''); element.hidden = !words; }
-function showProblem(words) { text($('problem'), words); $('trouble').hidden = !words; }
+function tell(words, isProblem) {
+  text($('problem'), words);
+  $('trouble').classList.toggle('problem', isProblem);
+  $('trouble').hidden = !words;
+}
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
@@ -248,13 +252,13 @@ function showBeliefs(shown) {
   }, shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
-/** Makes a row with a button that orders the agent to do [verb] with the text that the row stands for. */
-function actingRow(verb) {
+/** Makes a row with a button [verb] that asks the agent for [path], with the text that the row stands for as [name]. */
+function actingRow(verb, path = verb, name = 'text', more = {}) {
   const made = row();
   const act = button('act', async () => {
     const answer = made.closest('section').querySelector('.answer');
     answer.className = 'soft answer';
-    text(answer, await order(verb, { text: act.dataset.text }) ?? '');
+    text(answer, await order(path, { [name]: act.dataset.text, ...more }) ?? '');
   });
   text(act, verb);
   made.append(act);
@@ -298,12 +302,13 @@ function showCommands(shown, since) {
 
 const place = plan => plan.file ? `${plan.file}:${plan.line}` : 'no file';
 
-function showIntentions({ intentions: { total, intentions } }) {
+function showIntentions({ intentions: { total, intentions }, pause }) {
   text($('intentions-count'), total ? `${total}` : '');
   text($('intentions-words'), total > intentions.length ? `${total - intentions.length} more are not shown.` : '');
-  rows($('intentions'), intentions, ({ id }) => String(id), () => actingRow('drop'), (line, { state, waitsFor, plans, more, goal }) => {
+  rows($('intentions'), intentions, ({ id }) => String(id), () => actingRow('drop'), (line, { id, state, waitsFor, plans, more, goal }) => {
+    const [words, kind] = id === pause.intention ? ['stands here', 'warn'] : [state, INTENTIONS[state] || ''];
     fill(
-      line, plans[0]?.trigger ?? '', state, INTENTIONS[state] || '', '',
+      line, plans[0]?.trigger ?? '', words, kind, '',
       joined(
         waitsFor && `waits for ${waitsFor}`, plans[0] && place(plans[0]),
         ...plans.slice(1).map(plan => `for ${plan.trigger} ${place(plan)}`), more && `${more} more plans`,
@@ -311,6 +316,16 @@ function showIntentions({ intentions: { total, intentions } }) {
     );
     showAct(line, goal, `drop ${goal}`, `The agent drops each intention with the goal ${goal}`);
   }, 'The agent intends nothing.');
+}
+
+const breakpointRow = () => actingRow('remove', 'breakpoint', 'place', { isSet: false });
+
+function showStops({ breakpoints }) {
+  rows($('breakpoints'), breakpoints.map(({ file, line }) => `${file}:${line}`), at => at, breakpointRow, (line, at) => {
+    fill(line, at, '', '');
+    line.children[1].hidden = true;
+    showAct(line, at, `remove ${at}`, 'The agent does not stop there');
+  }, 'The agent stops at no line.');
 }
 
 function showPrinted({ printed }, since) {
@@ -366,15 +381,21 @@ function showHead(shown) {
   text($('percepts'), shown.perceiving ? 'Block percepts' : 'Open percepts');
   $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
     : 'The agent perceives its board again';
-  disable($('percepts'));
+  text($('pause'), isRunning(shown) ? 'Pause' : 'Go on');
+  $('pause').title = isRunning(shown) ? 'The agent stands between two cycles; its boards are made safe before' : 'The agent goes on';
+  ['percepts', 'reload', 'pause', 'step'].forEach(id => disable($(id)));
+  $('step').disabled ||= isRunning(shown);
   document.querySelectorAll('form.send button').forEach(disable);
 }
+
+const isRunning = ({ pause }) => pause.phase === 'running';
 
 function disable(button) { button.disabled = waits || connection !== 'live' || Boolean(state?.ended); }
 
 function showConnection() {
   const isLive = connection === 'live';
-  const special = frozen ? ['frozen', 'warn'] : state && silence(state) ? ['board silent', 'bad'] : null;
+  const standing = state && !isRunning(state) && [state.pause.phase === 'standing' ? 'stands' : 'comes to a stand', 'warn'];
+  const special = frozen ? ['frozen', 'warn'] : state && silence(state) ? ['board silent', 'bad'] : standing;
   chip($('connection'), ...(isLive && special || CONNECTIONS[connection]));
 }
 
@@ -386,6 +407,7 @@ function notice() {
   }
   if (connection === 'full') return 'Too many pages show this agent already. Close one and load this one again.';
   if (state?.waitingToStart) return 'The agent has not started yet.';
+  if (state && !isRunning(state)) return state.pause.words;
   return '';
 }
 
@@ -408,6 +430,7 @@ function show() {
   showBeliefs(shown);
   showCommands(shown, since);
   showIntentions(shown);
+  showStops(shown);
   showPrinted(shown, since);
   showAgents(shown);
   showComputers(shown);
@@ -426,12 +449,12 @@ async function ask(path, body) {
 /** Has the agent do something, and returns its answer; null: it refuses, and the page tells why. */
 async function order(path, body) {
   waits = true;
-  showProblem('');
+  tell('', false);
   show();
   try {
     return (await ask(path, body)).message;
   } catch (trouble) {
-    showProblem(trouble.message);
+    tell(trouble.message, true);
     return null;
   } finally {
     waits = false;
@@ -487,7 +510,7 @@ async function loadFilters() {
   try {
     filters = (await ask('filters')).filters;
   } catch (trouble) {
-    showProblem(trouble.message);
+    tell(trouble.message, true);
   }
   show();
 }
@@ -528,9 +551,15 @@ $('freeze').addEventListener('click', () => {
   show();
 });
 $('percepts').addEventListener('click', () => order('percepts', { open: !(frozen ? frozen.state : state).perceiving }));
+$('reload').addEventListener('click', async () => {
+  const report = await order('reload', {});
+  if (report !== null) tell(report, false);
+});
+$('pause').addEventListener('click', () => order(isRunning(state) ? 'pause' : 'go', {}));
+$('step').addEventListener('click', () => order('step', {}));
 
 $('find').addEventListener('input', show);
-$('dismiss').addEventListener('click', () => showProblem(''));
+$('dismiss').addEventListener('click', () => tell('', false));
 
 document.querySelectorAll('form.send').forEach(form => form.addEventListener('submit', event => {
   event.preventDefault();

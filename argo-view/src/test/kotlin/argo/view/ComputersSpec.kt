@@ -15,7 +15,7 @@ class ComputersSpec : FunSpec({
         val agent = object : ObservedAgent by Nobody {
             override val computers get() = now
         }
-        val composer = StateComposer(agent, AgentRecord(agent, log), { emptyList<AgentTab>() to 0 }, log)
+        val composer = StateComposer(agent, AgentRecord(agent, log), PageBreakpoints(agent), { emptyList<AgentTab>() to 0 }, log)
         composer.state(isLast = false).computers.single().run { listOf(name, here, on, agents.size, more) } shouldBe
             listOf("base", true, true, 50, 10)
         composer.hasNews() shouldBe false

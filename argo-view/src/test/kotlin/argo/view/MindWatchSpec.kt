@@ -28,7 +28,7 @@ class MindWatchSpec : FunSpec({
     test("nobody looks: nothing is read") {
         var reads = 0
         val watch = MindWatch({ reads++; MindState.of(base(), Circumstance()) }, log) { now }
-        repeat(100) { watch.cycleFinished() }
+        repeat(100) { watch.look() }
         reads shouldBe 0
     }
 
@@ -38,7 +38,7 @@ class MindWatchSpec : FunSpec({
         base.add(parseRule("near(X) :- dist(f,X) & X < 40."))
         val watch = watch(base)
         watch.isWatched = true
-        watch.cycleFinished()
+        watch.look()
         val mind = watch.newest.shouldNotBeNull().mind
         mind.believed shouldBe 4
         mind.beliefs.map { it.text to it.sources.toSet() }.shouldContainExactlyInAnyOrder(
@@ -51,21 +51,21 @@ class MindWatchSpec : FunSpec({
         var reads = 0
         val watch = MindWatch({ reads++; MindState.of(base(), Circumstance()) }, log) { now }.apply { isWatched = true }
         now = 0
-        repeat(1000) { watch.cycleFinished(); now += MS }
+        repeat(1000) { watch.look(); now += MS }
         reads shouldBe 10
     }
 
     test("the last cycle before a sleep is not missed") {
         val watch = watch(base()).apply { isWatched = true }
         watch.isBehind() shouldBe true
-        watch.cycleFinished()
+        watch.look()
         watch.isBehind() shouldBe false
         now += MS
-        watch.cycleFinished()
+        watch.look()
         watch.isBehind() shouldBe false
         now += 100 * MS
         watch.isBehind() shouldBe true
-        watch.cycleFinished()
+        watch.look()
         watch.isBehind() shouldBe false
     }
 
@@ -75,7 +75,7 @@ class MindWatchSpec : FunSpec({
             repeat(10_000) { add(parseLiteral("q($it)[source(self)]")) }
         })
         watch.isWatched = true
-        watch.cycleFinished()
+        watch.look()
         val mind = watch.newest.shouldNotBeNull().mind
         mind.believed shouldBe 20_000
         mind.beliefs.size shouldBeLessThan 400
@@ -95,7 +95,7 @@ class MindWatchSpec : FunSpec({
 
     test("a belief base that cannot be read costs the agent nothing") {
         val watch = MindWatch({ throw ConcurrentModificationException() }, log) { now }.apply { isWatched = true }
-        watch.cycleFinished()
+        watch.look()
         watch.newest shouldBe null
     }
 })

@@ -314,7 +314,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("beliefs and goals are set by hand, and taken back").config(tags = thorough, enabledOrReasonIf = browser) {
+    test("beliefs and goals are set by hand, and the program is reloaded").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { mas, _ ->
             enter("#belief", "-+likes(milk)")
             press("Believe")
@@ -331,6 +331,42 @@ class PageSpec : FunSpec({
             picture("hand-light")
             pressOn("#intentions .act")
             await { texts("#intentions .empty").size == 1 }
+            mas.file("bob.asl", AGENT.replace("+!rest <- .wait", "+!rest <- .print(resting); .wait"))
+            press("Reload")
+            await { text("#problem").startsWith("1 plan changed") }
+            picture("reloaded")
+            press("Dismiss")
+            enter("#goal", "rest")
+            press("Begin")
+            await { texts("#printed .text") == listOf("resting") }
+            mas.file("bob.asl", AGENT + "+!broken <- .")
+            press("Reload")
+            await { "bob.asl" in text("#problem") && run("return document.getElementById('trouble').matches('.problem')") }
+            picture("not-reloaded")
+        }
+    }
+
+    test("the agent is paused, goes on for a cycle, and stops at a line").config(tags = thorough, enabledOrReasonIf = browser) {
+        shown("dist(f,38);") { mas, _ ->
+            enter("#place", "bob.asl:${AGENT.lines().indexOfFirst { "+!rest" in it } + 1}")
+            press("Stop there")
+            await { texts("#breakpoints .text").size == 1 }
+            enter("#goal", "rest")
+            press("Begin")
+            await { text("#connection") == "stands" && texts("#intentions .chip") == listOf("stands here") }
+            picture("stands")
+            enter("#belief", "noted(standing)")
+            press("Believe")
+            await { "noted(standing)" in texts("#beliefs .text") }
+            press("One cycle")
+            await { text("#connection") == "stands" }
+            press("remove")
+            await { texts("#breakpoints .text").isEmpty() }
+            press("Go on")
+            await { text("#connection") == "live" && texts("#intentions .detail").single().startsWith("waits for .wait") }
+            press("Pause")
+            await { text("#connection") == "stands" }
+            mas.awaitBelief("bob", "noted(standing)")
         }
     }
 
@@ -341,12 +377,14 @@ class PageSpec : FunSpec({
                 mas.file("front.xml", FRONT)
                 mas.agent("bob", AGENT)
                 board.awaitMessage("hello", 20_000)
+                mas.file("bob.asl", "") // a reload would take all plans away
                 val view = mas.viewOf("bob")
                 OtherSite("$ATTACK('$view')").use { other ->
                     chromium.show(other.address) {
                         await { run("return document.title === 'all tried'") }
                     }
                 }
+                view.post("begin", """{"text":"rest"}""").statusCode() shouldBe 200
                 view.post("believe", """{"text":"last"}""").statusCode() shouldBe 200
                 view.post("command", """{"command":"last"}""").statusCode() shouldBe 200
                 board.received().last { it != "getPercepts" } shouldBe "last"
@@ -401,6 +439,7 @@ private const val ATTACK = """
     (async address => {
         const orders = {
             command: { command: 'stop' }, believe: { text: 'stop' }, begin: { text: 'long' }, forget: { text: 'likes(_)' },
+            reload: {}, pause: {}, breakpoint: { place: 'bob.asl:6' },
         };
         await Promise.all(Object.entries(orders).map(([path, order]) => press(address + path, JSON.stringify(order))));
         document.title = 'all tried';

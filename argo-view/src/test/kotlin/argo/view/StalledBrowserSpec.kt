@@ -6,7 +6,6 @@ import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import argo.observing.Order
 import argo.observing.Outcome
-import argo.observing.Pausing
 import argo.observing.WatchedRule
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
@@ -82,7 +81,7 @@ internal object Nobody : ObservedAgent {
     override val circumstance = Circumstance()
     override val reasoning: TransitionSystem get() = throw UnsupportedOperationException()
     override val printed: Logger = Logger.getLogger("argo.view.test.nobody")
-    override val pausing: Pausing get() = throw UnsupportedOperationException()
+    override val pausing = Pauses()
     override val actions: List<BoardAction>? = null
     override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) = done(null)
     override fun nanos() = System.nanoTime()

@@ -302,7 +302,7 @@ class ViewSpec : FunSpec({
 
     test("other pages, and who does not send JSON, cannot order the agent to do anything") {
         watched { mas, _, address ->
-            listOf("believe", "forget", "begin", "drop").forEach { path ->
+            listOf("believe", "forget", "begin", "drop", "reload", "pause", "go", "step", "until", "breakpoint").forEach { path ->
                 val order = """{"text":"likes(milk)"}"""
                 address.post(path, order, "Origin" to "http://robot.example").statusCode() shouldBe 403
                 address.post(path, order, "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403

@@ -80,7 +80,7 @@ class TlsPortSpec : FunSpec({
         TlsBoard(other).use { board ->
             file.toFile().copyTo(fileOf(board).toFile())
             val message = refusal(board)
-            for (part in listOf(PinnedBoard.fingerprint(other.certificate), PinnedBoard.fingerprint(TestCertificate.BOARD.certificate))) {
+            for (part in listOf(TlsFolder.fingerprint(other.certificate), TlsFolder.fingerprint(TestCertificate.BOARD.certificate))) {
                 message shouldContain part
             }
             message shouldContain "shows another certificate"

@@ -1,14 +1,21 @@
 package samples.collision
 
 import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
 import argo.tools.command.requireWithin
 import javino.LineSettings
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import samples.project.LogFile
+import samples.project.Logs
 import samples.project.Progress
+import samples.project.SampleProject
 import sun.misc.Signal
+import java.nio.charset.Charset
+import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
+import kotlin.io.path.exists
+import kotlin.io.path.isRegularFile
 import kotlin.system.exitProcess
 
 @Command(
@@ -76,9 +83,19 @@ internal class CollisionCommand : ToolCommand() {
     )
     private var viewWait: Int? = null
 
+    @Option(
+        names = ["--watch"], paramLabel = "folder", arity = "0..1", fallbackValue = "collision",
+        description = [
+            "reloads the agent whenever its program or a filter in the folder is saved, and puts the robot back after each drive; " +
+                "without the folder, it is made with the program of the sample (default: \${FALLBACK-VALUE})",
+        ],
+    )
+    private var watch: Path? = null
+
     override fun call(): Int {
         val levels = levels()
         val audience = audience()
+        watch?.let { return edited(levels, audience, it) }
         val progress = Progress.onStandardOutput()
         val log = LogFile.open("collision")
         val isOver = AtomicBoolean()
@@ -100,6 +117,18 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
+    /** Has the robot drive again and again, by a program in [folder] that a person edits, until Ctrl-C. */
+    private fun edited(levels: Levels, audience: Audience?, folder: Path): Int {
+        val program = folder.resolve(PROGRAM)
+        if (!folder.exists()) SampleProject("collision").copy(FILES, folder)
+        if (!program.isRegularFile()) throw ToolException("there is no $PROGRAM in $folder")
+        println("edit $program and $folder/filters: the agent is reloaded when a file is saved. Ctrl-C ends it")
+        Logs.to(System.out)
+        val verdict = CollisionRun(levels, Progress(System.out, inPlace = false, Charset.defaultCharset()), audience, program).run()
+        println(verdict.sentence)
+        return verdict.exitStatus
+    }
+
     /** Does [action] on Ctrl-C. A shutdown hook does not serve, since jSerialComm's hook closes the ports while other hooks run. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
@@ -116,6 +145,7 @@ internal class CollisionCommand : ToolCommand() {
         if (port?.isBlank() == true) misuse("--port names no port")
         spec.requireWithin("--boards", boards, 1..2, "")
         if (port != null && boards > 1) misuse("--boards is for the simulated robot, and --port asks for a real one")
+        if (port != null && watch != null) misuse("--watch is for the simulated robot, and --port asks for a real one")
         if (port != null && seed != null) misuse("--seed is for the simulated robot, and --port asks for a real one")
         return Levels(filter, limit, interval, baud, sensing, port, boards, seed ?: 1)
     }
@@ -134,6 +164,8 @@ internal class CollisionCommand : ToolCommand() {
     }
 
     private companion object {
+        const val PROGRAM = "robot.asl"
+        val FILES = listOf(PROGRAM, "filters/frontDistance.xml", "filters/frontSide.xml")
         const val INTERRUPTED = 130 // the exit status of shells for Ctrl-C
         const val MAX_PORT = 65_535
         const val WAIT_S = 60

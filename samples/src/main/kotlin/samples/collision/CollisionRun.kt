@@ -1,5 +1,6 @@
 package samples.collision
 
+import argo.observing.Order
 import jason.asSyntax.ASSyntax.createAtom
 import jason.asSyntax.ASSyntax.createList
 import jason.asSyntax.ASSyntax.createLiteral
@@ -11,6 +12,7 @@ import javino.sim.SimulatedBoards
 import samples.project.MasRun
 import samples.project.Progress
 import samples.project.SampleProject
+import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
@@ -26,16 +28,24 @@ internal data class Levels(
     val seed: Long,
 )
 
-/** One run of the collision experiment. [audience] are the spectators in a browser; null: none. */
+/**
+ * A run of the collision experiment.
+ *
+ * @param audience the spectators in a browser; null: none
+ * @param program the agent's program, which a person edits while the robot drives: the agent is reloaded when it is saved, and the
+ *   simulated robot is put back after each drive; null: the program of the sample, for one drive
+ */
 internal class CollisionRun(
     private val levels: Levels,
     private val progress: Progress,
     private val audience: Audience? = null,
+    private val program: Path? = null,
     private val clock: LineClock = LineClock.system(),
 ) {
     private val witness = Witness()
     private val mas = MasRun(project())
     private var boards: List<RobotBoard> = emptyList() // plugged-in boards
+    private val robot = Robot(clock, Random(levels.seed)) // unless a real one drives
 
     private fun project() = SampleProject("collision").apply {
         believe(
@@ -47,6 +57,10 @@ internal class CollisionRun(
         )
         set(AGENT, "argo_sensing", levels.sensing)
         audience?.let { set(AGENT, "argo_view", "${it.port}") }
+        program?.let {
+            run(AGENT, it)
+            set(AGENT, "argo_watch", "true")
+        }
     }
 
     private fun body(): Literal {
@@ -63,7 +77,13 @@ internal class CollisionRun(
         val scene = scene()
         try {
             mas.begin(mapOf(AGENT to witness)) { audience?.gather(mas.viewOf(AGENT), scene::picture) }
-            return watch(scene).also { audience?.conclude(it.sentence) }
+            var verdict = watch(scene)
+            while (program != null && verdict !is Verdict.Failed) {
+                println(verdict.sentence)
+                driveAgain()
+                verdict = watch(scene)
+            }
+            return verdict.also { audience?.conclude(it.sentence) }
         } finally {
             abandon()
             mas.end()
@@ -89,7 +109,6 @@ internal class CollisionRun(
 
     private fun scene(): Scene {
         if (levels.port != null) return BoardScene(witness, levels.port, levels.limit, clock)
-        val robot = Robot(clock, Random(levels.seed))
         boards = RobotBoard.of(robot, levels.boards)
         boards.forEach { SimulatedBoards.plugIn(it.name(), it) }
         return SimulatedScene(robot, witness::beliefs, levels.limit, clock)
@@ -100,7 +119,7 @@ internal class CollisionRun(
         while (true) {
             scene.verdict()?.let { return it }
             val elapsed = clock.nanos() - begin
-            if (elapsed > TimeUnit.SECONDS.toNanos(MAX_S)) return scene.overdue(MAX_S)
+            if (program == null && elapsed > TimeUnit.SECONDS.toNanos(MAX_S)) return scene.overdue(MAX_S)
             progress.show(scene.look(), elapsed, scene.picture().line())
             if (mas.awaitEnd(LOOK_MS) != null) return Verdict.Failed(
                 "an agent has ended the system; last seen: ${scene.look().joinToString()}",
@@ -108,8 +127,21 @@ internal class CollisionRun(
         }
     }
 
+    /** Puts the robot back, and has the agent drive again as soon as it has seen that. */
+    private fun driveAgain() {
+        mas.awaitEnd(REST_MS)
+        robot.putBack()
+        while ((witness.beliefs.distance ?: 0.0) <= levels.limit) if (mas.awaitEnd(LOOK_MS) != null) return
+        val agent = mas.observed(AGENT)
+        LEFT.forEach { agent.order(it) {} } // refused if nothing of it is left
+        agent.order(Order.Begin("start")) { outcome -> outcome.refusal?.let { println("the robot is put back, but does not drive: $it") } }
+    }
+
     private companion object {
         const val AGENT = "robot"
+
+        /** What a drive may leave in the agent's mind. */
+        val LEFT = listOf(Order.Drop("moving"), Order.Forget("status(_)"))
         val OPEN = setOf("on", "timeout")
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
@@ -117,6 +149,9 @@ internal class CollisionRun(
         /** The longest time for the board's answer, in ms: three times that of an answer at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
+
+        /** How long the robot stands after a drive before it is put back, in ms. */
+        const val REST_MS = 2000L
         const val MAX_S = 60L
         const val HALT_LIMIT_S = 1L
     }

@@ -31,6 +31,9 @@ class Robot(
     var lamps: Set<String> = emptySet()
         private set
 
+    /** Puts the robot back to where it began. Any thread may call this. */
+    fun putBack() = way.set(Course.standing(clock.nanos()))
+
     override fun actions() = ACTIONS.map { BoardAction(it, 0) }
 
     override fun percepts(): List<String> {

@@ -1,6 +1,7 @@
 package samples.project
 
 import argo.Arch
+import argo.observing.ObservedAgent
 import argo.view.AgentView
 import jason.architecture.AgArch
 import jason.asSyntax.directives.DirectiveProcessor
@@ -59,9 +60,13 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /** Returns the live view of [agent], once it is created; null: the agent has none. */
-    fun viewOf(agent: String): AgentView? =
-        generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }
-            .filterIsInstance<AgentView>().firstOrNull()
+    fun viewOf(agent: String): AgentView? = archOf(agent).observers.filterIsInstance<AgentView>().firstOrNull()
+
+    /** Returns [agent], which has ARGO's architecture, for its observers, once it is created. */
+    fun observed(agent: String): ObservedAgent = archOf(agent).observed
+
+    private fun archOf(agent: String): Arch =
+        generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().first()
 
     /** Waits until an agent has ended the system, at most [millis] ms. Returns the agent's exit status; null if none has ended it. */
     fun awaitEnd(millis: Long): Int? = try {

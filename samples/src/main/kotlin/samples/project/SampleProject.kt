@@ -5,13 +5,16 @@ import jason.mas2j.AgentParameters
 import jason.mas2j.MAS2JProject
 import jason.mas2j.parser.mas2j
 import java.net.URL
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
 import kotlin.io.path.toPath
 
 /**
  * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it. Changes from a command
  * line are made here, after the project has been read.
  */
-class SampleProject(name: String) {
+class SampleProject(private val name: String) {
     private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
         "the project $name is not on the class path: $name/$name.mas2j is missing beside the samples' classes"
     }
@@ -34,6 +37,15 @@ class SampleProject(name: String) {
     fun believe(agent: String, vararg beliefs: Literal) {
         agent(agent).addOption("beliefs", "") // not as an option, since not every string survives as its text
         given[agent] = beliefs.asList()
+    }
+
+    /** Has [agent] run the program in [file]. */
+    fun run(agent: String, file: Path) = agent(agent).setSource("${file.toUri().toURL()}")
+
+    /** Copies [files] of the project, as `filters/front.xml`, into the new folder [target]. */
+    fun copy(files: List<String>, target: Path) = files.forEach { file ->
+        val copied = checkNotNull(SampleProject::class.java.getResourceAsStream("/$name/$file")) { "$file is missing in the project $name" }
+        copied.use { Files.copy(it, target.resolve(file).apply { parent.createDirectories() }) }
     }
 
     /** Sets an option of [agent], like `[key=value]` in the project. */

@@ -136,6 +136,10 @@ class CommandCheck(private val root: Path) {
             word.startsWith("-P") -> word.removePrefix("-P").substringBefore('=').let { property ->
                 missing(property.takeIf { "<$it>" in root.resolve("pom.xml").readText() }, "a property of $word")
             }
+            word.startsWith("-D") -> word.removePrefix("-D").substringBefore('=').let { property ->
+                val read = "System.getProperty('$property'"
+                missing(read.takeIf { it in root.resolve(NEW_PROJECT).resolve("build.gradle").readText() }, "a property of $word")
+            }
             word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
             !build.exists() -> "there is no project for $word"
             task == "build" || task == "test" -> null

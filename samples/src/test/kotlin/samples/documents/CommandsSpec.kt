@@ -27,7 +27,8 @@ class CommandsSpec : FunSpec({
             "./argo bench fly", "./argo jar fly", "./argo tools fly", "./argo new a b", "java -jar argo.jar ports --fly",
             "java -jar argo.jar request ttyACM0", "java -Xfly -jar argo.jar ports", "java -jar agro.jar", "java -cp lib/* no.such.Program",
             "mvn fly", "mvn fly:fly", "mvn -pl fly test", "mvn -Dtest=FlySpec test",
-            "gradle fly", "./gradlew :fly:run", "./gradlew :samples:run --args=fly", "make fly", "./check --fly", "fly",
+            "gradle fly", "gradle -Dfly=true", "./gradlew :fly:run", "./gradlew :samples:run --args=fly", "make fly", "./check --fly",
+            "fly",
         )
         wrong.forEach { withClue(it) { check.problem(it.split(" ")) shouldNotBe null } }
     }

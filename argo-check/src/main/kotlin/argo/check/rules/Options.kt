@@ -38,9 +38,12 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
         val OF_ARCH: Map<String, KnownOption> = mapOf(
             "argo_sensing" to oneOf("fresh", "every", "in_cycle"), "argo_percepts" to whole(1..Int.MAX_VALUE),
-            "argo_view" to whole(0..65_535), "argo_debug" to whole(0..65_535),
+            "argo_view" to whole(0..65_535),
+            "argo_watch" to oneOf("true", "false"),
+            "argo_debug" to whole(0..65_535),
             "argo_safe" to KnownOption("a command, as stop or \"speed(0)\"", ::isLiteral),
             "argo_record" to KnownOption("a file such as \"drive.mcap\", or \"last(5)\" for the last five minutes", ::isRecording),
+            "argo_resume" to KnownOption("the name of a file, as \"robot.state\"") { it.isNotBlank() },
             "argo_ros" to KnownOption("the address of a rosbridge_server, as \"robot:9090\"") { value ->
                 value.isNotBlank() && value.toIntOrNull() == null
             },

@@ -58,8 +58,8 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     companion object {
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
-        /** The beliefs that ARGO itself adds. No filter drops these beliefs. */
-        val OF_ARGO = OWN_BELIEFS.keys.map { it.substringBefore('/') }.toSet()
+        /** The beliefs that ARGO itself adds: those about boards, and that the agent goes on from its last run. No filter drops them. */
+        val OF_ARGO = OWN_BELIEFS.keys.map { it.substringBefore('/') }.toSet() + "resumed"
 
         /** Events, goals and beliefs that Jason makes. */
         private val OF_JASON =

@@ -154,6 +154,7 @@ class MigrationSpec : FunSpec({
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
         of("argo_diary=on").single().level shouldBe Level.HINT
         of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"robot:9090\"").shouldBeEmpty()
+        of("argo_resume=\"bob.state\"").shouldBeEmpty()
         of("argo_view=8080, argo_view=8081").single().what shouldBe "argo_view is given twice"
         of("argo_fleet=\"computers, agents\"").shouldBeEmpty()
         of("argo_fleet=robots").single().what shouldBe
@@ -161,6 +162,7 @@ class MigrationSpec : FunSpec({
         of("argo_ros=9090").single().what shouldBe
             "argo_ros of argo.Arch is the address of a rosbridge_server, as \"robot:9090\", not 9090"
         of("argo_ros=\"\"").single().what shouldContain "not "
+        of("argo_resume=\" \"").single().what shouldContain "argo_resume of argo.Arch is the name of a file, as \"robot.state\", not "
         of("argo_record=\"last(0)\"").single().what shouldContain "not last(0)"
     }
 
@@ -221,7 +223,8 @@ class MigrationSpec : FunSpec({
         KnownOption.OF_ACT.keys shouldBe options("acting/CommandOptions.kt")
         ArgoActions.ERRORS shouldBe Regex("^\\| `(\\w+)`", RegexOption.MULTILINE).findAll(Path.of("../docs/errors.md").readText())
             .map { it.groupValues[1] }.toSet()
-        val architecture = listOf("ArchOptions.kt", "perception/PerceptLimit.kt").joinToString { sources.resolve(it).readText() }
+        val architecture = listOf("ArchOptions.kt", "Resuming.kt", "perception/PerceptLimit.kt")
+            .joinToString { sources.resolve(it).readText() }
         val archOptions = Regex("\"(argo_[a-z]+)\"").findAll(architecture).map { it.groupValues[1] }.toSet()
         KnownOption.OF_ARCH.keys - KnownOption.OF_FLEET shouldBe archOptions
         val dotForms = Path.of("../argo-arch/src/stdlib/kotlin/jason/stdlib/DotForms.kt").readText()

@@ -31,8 +31,8 @@ class PerceptMatcher internal constructor(
      * True if no smoothing rule has a condition on an argument that is smoothed: then the number of a percept has no part in the choice of
      * its rule.
      */
-    internal val smoothsByName: Boolean = filter.smoothing.none { smoothing ->
-        smoothing.rule.conditions.any { condition -> condition is Condition.Argument && filter.smoothing.any { it.argument == condition.index } }
+    internal val smoothsByName: Boolean = filter.smoothing.map { it.argument }.toSet().let { smoothed ->
+        filter.smoothing.none { smoothing -> smoothing.rule.conditions.any { it is Condition.Argument && it.index in smoothed } }
     }
 
     /**

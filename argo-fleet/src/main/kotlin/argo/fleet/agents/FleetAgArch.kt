@@ -10,6 +10,7 @@ import argo.fleet.node.Place
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.unreachable
+import argo.mind.Mind
 import argo.observing.AgentThere
 import argo.observing.ObservedComputer
 import argo.observing.SeveralComputers
@@ -168,7 +169,7 @@ internal class FleetAgArch(
 
     private fun keepMind(reign: Reign) {
         keptNs = System.nanoTime()
-        val mind = Mind.of(ts) { left ->
+        val mind = Mind.of(ts, MessageContent::write) { left ->
             if (leftOut.add(left)) logger.warning("other computers do not get to know this belief or goal of $agName: $left")
         }
         if (mind == kept && isTold) return

@@ -10,6 +10,8 @@ private const val FORGET = "forget"
 private const val BEGIN = "begin"
 private const val DROP = "drop"
 private const val RELOAD = "reload"
+private const val RESUME = "resume"
+private const val BEGIN_ANEW = "begin_anew"
 
 /** Returns [order] as a recording contains it. */
 internal fun given(order: Order): GivenOrder = when (order) {
@@ -20,6 +22,8 @@ internal fun given(order: Order): GivenOrder = when (order) {
     is Order.Reload -> GivenOrder(
         RELOAD, files = order.files.map { GivenFile(it.within, it.name, it.address, it.text) }, gone = order.gone,
     )
+    is Order.Resume -> GivenOrder(RESUME, order.beliefs.joinToString("\n"))
+    is Order.BeginAnew -> GivenOrder(BEGIN_ANEW, order.events.joinToString("\n"))
 }
 
 /**
@@ -32,5 +36,7 @@ internal fun orderOf(given: GivenOrder): Order = when (given.kind) {
     BEGIN -> Order.Begin(given.text)
     DROP -> Order.Drop(given.text)
     RELOAD -> Order.Reload(given.files.map { ProgramFile(it.within, it.name, it.address, it.text) }, given.gone)
+    RESUME -> Order.Resume(given.text.lines())
+    BEGIN_ANEW -> Order.BeginAnew(given.text.lines().filter { it.isNotEmpty() })
     else -> throw IllegalArgumentException("a recording holds the order ${given.kind}, which this version of ARGO does not know")
 }

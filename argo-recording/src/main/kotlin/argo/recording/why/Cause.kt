@@ -91,10 +91,10 @@ data class MessageCause(
 ) : Cause
 
 /**
- * An order of a person to the agent.
+ * An order of a person to the agent, or of its last run.
  *
- * @property kind `believe`, `forget`, `begin`, `drop` or `reload`
- * @property text the belief or goal, as the person wrote it; empty: the order has none
+ * @property kind `believe`, `forget`, `begin`, `drop` or `reload`; of the last run `resume` or `begin_anew`
+ * @property text the belief or goal, as the person wrote it; of the last run one on each line; empty: the order has none
  */
 @Serializable
 @SerialName("order")

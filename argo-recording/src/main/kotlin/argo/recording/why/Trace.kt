@@ -109,7 +109,11 @@ internal class Trace(
         carryOut(order)
         val cause = given(order).run { OrderCause(kind, text, clock.seconds(cycle.ns)) }
         notice { cause }
-        if (order is Order.Believe) believed(order)?.let { note(it, cause) }
+        when (order) {
+            is Order.Believe -> believed(order)?.let { note(it, cause) }
+            is Order.Resume -> order.beliefs.forEach { note(literalOf(it.removePrefix("+")), cause) }
+            else -> Unit
+        }
     }
 
     /** Returns the belief that a person set; null: the agent has refused the order. */

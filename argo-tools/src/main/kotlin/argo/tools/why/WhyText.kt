@@ -88,6 +88,7 @@ internal class WhyText {
                 val what = when (cause.kind) {
                     "believe" -> "a person set ${cause.text}"
                     "begin" -> "a person began ${cause.text}"
+                    "resume", "begin_anew" -> "the agent went on from its last run"
                     else -> "a person ordered: ${cause.kind} ${cause.text}".trim()
                 }
                 line(depth, "because $what at ${at(cause.seconds)}")

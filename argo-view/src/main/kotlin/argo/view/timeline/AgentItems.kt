@@ -57,12 +57,13 @@ internal class AgentItems(
 
     private fun ordered(cycle: Cycle, order: GivenOrder) {
         val files = order.files.map { it.address.substringAfterLast('/') }
-        val text = "${order.kind} ${order.text}${files.joinToString()}"
-        val id = add(cycle.ns, Lane.EVENTS, text, listOf("an order of a person", "cycle ${cycle.number}"))
-        val subject = order.text.trimStart('-', '+', '!')
-        when (order.kind) {
-            "begin" -> beliefSteps[GOAL_SIGN + functor(subject)] = id
-            "believe", "forget" -> beliefSteps[functor(subject)] = id
+        val texts = order.text.lines()
+        val text = "${order.kind} ${texts.joinToString(limit = MOST_SHOWN)}${files.joinToString()}"
+        val by = if (order.kind in OF_LAST_RUN) "the agent went on from its last run" else "an order of a person"
+        val id = add(cycle.ns, Lane.EVENTS, text, listOf(by, "cycle ${cycle.number}"))
+        for (subject in texts.map { it.trimStart('-', '+', '!') }) when (order.kind) {
+            "begin", "begin_anew" -> beliefSteps[GOAL_SIGN + functor(subject)] = id
+            "believe", "forget", "resume" -> beliefSteps[functor(subject)] = id
         }
     }
 
@@ -151,6 +152,7 @@ internal class AgentItems(
         const val NANOS = 1e9
         const val MOST_SHOWN = 4
         const val GOAL_SIGN = "!"
+        val OF_LAST_RUN = setOf("resume", "begin_anew")
         val GOAL = Regex("^[+-][!?]")
         val SOURCE = Regex("source\\(([^()]*)\\)")
 

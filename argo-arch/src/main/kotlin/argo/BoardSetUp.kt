@@ -1,0 +1,91 @@
+package argo
+
+import argo.calls.ArgumentException
+import argo.calls.Failure
+import argo.connecting.WantedPort
+import argo.filters.GroundTerm
+import argo.filters.PerceptionFilter
+import argo.filters.jason.PerceptReader
+import argo.platform.Platform
+import jason.JasonException
+import jason.asSyntax.Literal
+
+/**
+ * Writes how an agent uses its boards as calls of internal actions, and sets its boards up by such calls.
+ *
+ * @param told gets what cannot be set up as it was
+ */
+internal class BoardSetUp(private val arch: Arch, private val platform: Platform, private val told: (String) -> Unit) {
+    private val boards get() = arch.boards
+    private val ports get() = arch.boards.ports
+
+    /** Returns the calls that set the boards up as they are, without the prefix `argo.`. Called by the agent's thread. */
+    fun calls(): List<String> = buildList {
+        portsInUse()?.let(::add)
+        add("limit(${boards.intervalMs})")
+        add("percepts(${if (boards.isPerceiving) "open" else "block"})")
+        boards.filter?.let { add("change_filter(${nameOf(it)})") }
+        for (board in boards.current) {
+            board.ownIntervalMs?.let { add("limit($it,[port(${board.term})])") }
+            if (board.hasOwnFilter) add("change_filter(${nameOf(board.filter)},[port(${board.term})])")
+        }
+    }
+
+    private fun portsInUse(): String? = ports.inUse.takeIf { it.isNotEmpty() }
+        ?.joinToString(",", "ports([", "])") { "port(${it.term},${it.port.options.text})" }
+
+    private fun nameOf(filter: PerceptionFilter?) = filter?.let { "${GroundTerm.Text(it.name)}" } ?: "none"
+
+    /**
+     * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open: a port that is not is tried again each
+     * second. If the agent chooses its ports itself meanwhile, [done] is called, too.
+     */
+    fun restore(calls: List<String>, done: () -> Unit) {
+        val (choice, settings) = calls.map(PerceptReader::read).partition { it.functor == PORTS }
+        val (ofBoards, ofAgent) = settings.partition { it.arity > 1 }
+        later(ofAgent)
+        val wanted = choice.lastOrNull()?.let(::portsIn) ?: return done()
+        open(wanted, ::waits) {
+            later(ofBoards)
+            done()
+        }
+    }
+
+    private fun waits(failure: Failure) = told("${failure.cause}; this is tried again each second, and the goals wait for it")
+
+    private fun portsIn(choice: Literal): List<WantedPort>? = try {
+        wantedPorts(choice.getTerm(0))
+    } catch (wrong: ArgumentException) {
+        null.also { told("argo.$choice: ${wrong.message}") }
+    }
+
+    private fun open(wanted: List<WantedPort>, failed: (Failure) -> Unit, done: () -> Unit) {
+        val choice = ports.choicesSoFar + 1
+        ports.chooseAll(wanted) { failure ->
+            if (failure == null) return@chooseAll done()
+            failed(failure)
+            platform.later(AGAIN_MS) { if (ports.choicesSoFar == choice) open(wanted, { }, done) else done() }
+        }
+    }
+
+    /** Carries [calls] out in the agent's next cycle, so that a recording of it has the filters. */
+    private fun later(calls: List<Literal>) = arch.ts.runAtBeginOfNextCycle { calls.forEach(::carryOut) }
+
+    /** Carries [call] out as if a plan made it. */
+    private fun carryOut(call: Literal) {
+        val action = ACTIONS[call.functor]?.invoke() ?: return told("argo.$call is no call that sets boards up")
+        try {
+            action.carryOut(action.Call(arch.ts, call.termsArray))
+        } catch (refused: JasonException) {
+            told("${refused.message}")
+        }
+    }
+
+    private companion object {
+        const val PORTS = "ports"
+        const val AGAIN_MS = 1000L
+
+        /** The actions besides [PORTS] by which an agent sets its boards up. */
+        val ACTIONS = mapOf("limit" to ::limit, "percepts" to ::percepts, "change_filter" to ::change_filter)
+    }
+}

@@ -1,0 +1,180 @@
+package argo
+
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
+import argo.filters.jason.perceptText
+import argo.mind.Mind
+import argo.observing.AgentObserver
+import argo.observing.Order
+import argo.observing.Outcome
+import argo.platform.Platform
+import argo.resuming.Merged
+import argo.resuming.State
+import argo.resuming.StateFile
+import argo.resuming.StateWriter
+import argo.resuming.UnreadableStateException
+import jason.asSemantics.Unifier
+import jason.asSyntax.Literal
+import jason.infra.local.LocalAgArchAsynchronous
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import java.util.logging.Logger
+import kotlin.concurrent.withLock
+
+/**
+ * Keeps the state of the agent of [arch] in [file], and has the agent go on from the state that its last run has left there: the option
+ * `argo_resume`. The agent's thread makes a state between two cycles.
+ *
+ * @param wallMs ms since 1970
+ */
+internal class Resuming(
+    private val arch: Arch,
+    private val file: StateFile,
+    private val platform: Platform,
+    private val log: Logger,
+    private val wallMs: () -> Long = System::currentTimeMillis,
+) : AgentObserver {
+    private val name = arch.agName
+    private val setUp = BoardSetUp(arch, platform, ::warn)
+    private var readable: Set<String> = emptySet() // texts that are read back to the same literals
+    private val program = beginning()
+    private val leftOut = HashSet<String>()
+    private val writer = StateWriter(file, name, platform, log, ::close)
+    private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // the first state is kept at once
+
+    @Volatile
+    private var isResumed = false // until then the file is what the last run has left
+
+    private val ending = ReentrantLock() // held while another thread than the agent's makes the last state
+
+    @Volatile
+    private var isInCycle = false
+
+    @Volatile
+    private var isStopped = false
+    private var isLastMade = false
+
+    /** Returns what the program begins with. The events of its beliefs are not among it. */
+    private fun beginning(): Mind = Mind.of(arch.ts, ::write) {}.run { copy(events = events.filter { it.startsWith("!") }) }
+
+    /** Has the agent, which has not begun, go on from the state in the file, if there is one. */
+    fun begin(order: (Order, (Outcome) -> Unit) -> Unit) {
+        val state = read()
+        isResumed = state == null
+        if (state == null) return
+        val awayMs = (wallMs() - state.writtenMs).coerceAtLeast(0)
+        val merged = Merged(state, program)
+        log.info("$name goes on from $file, which was written $awayMs ms ago${merged.told}")
+        order(Order.Resume(merged.beliefs + (listOf("$RESUMED$awayMs)") + merged.newBeliefs).map { "+$it" }), ::tell)
+        setUp.restore(state.setUp) {
+            order(Order.BeginAnew(merged.events)) { outcome ->
+                tell(outcome)
+                isResumed = true
+            }
+        }
+    }
+
+    private fun tell(outcome: Outcome) = (listOfNotNull(outcome.refusal) + outcome.told).forEach(::warn)
+
+    private fun warn(what: String) = log.warning("$OPTION: $what")
+
+    private fun read(): State? {
+        val why = try {
+            return file.read()?.let { State.of(name, it) }
+        } catch (broken: UnreadableStateException) {
+            broken.message
+        } catch (unreadable: IOException) {
+            "$unreadable"
+        }
+        val fate = try {
+            "is kept as ${file.setAside()}"
+        } catch (trouble: IOException) {
+            "cannot be renamed either ($trouble)"
+        }
+        log.severe("$OPTION: $file cannot be read: $why. It $fate, and $name begins as its program says")
+        return null
+    }
+
+    /** Returns the text of [literal]; throws [IllegalArgumentException] if that is not read back to the same literal. */
+    private fun write(literal: Literal): String {
+        val text = perceptText(literal)
+        if (text in readable) return text
+        val again = try {
+            PerceptReader.read(text).capply(Unifier())
+        } catch (wrong: PerceptSyntaxException) {
+            throw IllegalArgumentException(wrong.message)
+        }
+        require(!literal.isGround || again == literal) { "Jason's notation has no text for it" }
+        return text
+    }
+
+    fun cycleStarting() {
+        isInCycle = true
+        if (isStopped) ending.withLock { } // another thread may be making the last state
+    }
+
+    override fun cycleFinished() {
+        if (isResumed && platform.clock.nanos() - madeNanos >= PERIOD_NANOS) keep()
+        isInCycle = false
+        if (isStopped) ending.withLock { keep() }
+    }
+
+    /** Makes the agent's state, and has it written; nothing may change the agent meanwhile. */
+    private fun keep() {
+        if (isLastMade) return
+        madeNanos = platform.clock.nanos()
+        isLastMade = isStopped
+        if (isResumed) writer.write(state())
+        if (isLastMade) writer.end()
+    }
+
+    private fun state(): State {
+        val mind = Mind.of(arch.ts, ::write) { left -> if (leftOut.add(left)) warn("$file does not keep $left") }
+        readable = (mind.beliefs + mind.events.map { it.drop(1) }).toSet()
+        val (beliefs, events) = mind
+        return State(
+            name, wallMs(), setUp.calls(), program,
+            Mind(beliefs.filterNot { it.startsWith(RESUMED) }, events.filterNot { it.startsWith("+$RESUMED") }),
+        )
+    }
+
+    /** Has the last state kept: after the present cycle, or now. */
+    override fun close() = ending.withLock {
+        val isFirst = !isStopped
+        isStopped = true
+        if (isFirst && !isInCycle) keep()
+    }
+
+    companion object {
+        const val OPTION = "argo_resume"
+
+        /** Beliefs in the file are five seconds old at most: a sleeping agent has a cycle each second. */
+        private val PERIOD_NANOS = TimeUnit.SECONDS.toNanos(4)
+        private const val RESUMED = "resumed("
+
+        /**
+         * Takes the file that the option's [value] names for the agent of [arch]; null: it cannot have it. [log] has the reason, and the
+         * agent runs without it.
+         */
+        fun open(arch: Arch, value: String, platform: Platform, log: Logger): Resuming? {
+            fun refuse(why: String) =
+                null.also { log.severe("$OPTION=$value: $why; ${arch.agName} begins as its program says, and keeps nothing") }
+
+            val infrastructure = architectures(arch.ts).last()
+            if (infrastructure is LocalAgArchAsynchronous) return refuse("an agent with three threads has no moment between two cycles")
+            val path = try {
+                Path.of(value.trim().removeSurrounding("\"")).toAbsolutePath().normalize()
+            } catch (wrong: InvalidPathException) {
+                return refuse("that is no name of a file (${wrong.message})")
+            }
+            if (Files.isDirectory(path)) return refuse("that is a folder; it takes the name of a file, such as \"robot.state\"")
+            if (!Files.isDirectory(path.parent)) return refuse("there is no folder ${path.parent}")
+            val file = StateFile.take(path) ?: return refuse("another agent of this program has this file; each agent needs its own")
+            return Resuming(arch, file, platform, log)
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package argo.mind
+
+import argo.observing.isHidden
+import jason.JasonException
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+import jason.asSyntax.Rule
+import jason.asSyntax.Trigger
+import jason.asSyntax.Trigger.TEOperator
+import jason.asSyntax.Trigger.TEType
+import jason.bb.BeliefBase
+
+/**
+ * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak, without percepts, rules and plans: these come from the
+ * world and from the program.
+ *
+ * @property events the events with which its intentions have begun, and those that wait: `!goal`, or `+belief` of a belief that is no
+ * percept. Events of percepts come anew with the percepts
+ */
+data class Mind(val beliefs: List<String>, val events: List<String>) {
+    /** The mind as a program, a belief or an event on each line: `watches(a,b)[source(self)].`, `!oversee.` */
+    fun program(): String = (beliefs + events).joinToString("\n") { "$it." }
+
+    companion object {
+        /**
+         * Returns the mind of the agent of [ts]. Called by its thread.
+         *
+         * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason why there is none
+         * @param leftOut gets each belief or event without a text, with the reason
+         */
+        fun of(ts: TransitionSystem, write: (Literal) -> String, leftOut: (String) -> Unit): Mind {
+            fun text(literal: Literal): String? = try {
+                write(literal)
+            } catch (refused: IllegalArgumentException) {
+                leftOut("$literal: ${refused.message}")
+                null
+            }
+            return Mind(
+                beliefs(ts).mapNotNull(::text),
+                triggers(ts).mapNotNull { begun -> text(begun.literal)?.let { if (begun.isAchvGoal) "!$it" else "+$it" } },
+            )
+        }
+
+        /** Returns the mind that [Mind.program] wrote as [program]. */
+        fun ofProgram(program: String): Mind = of(program.lines().filter { it.isNotBlank() }.map { it.trim().removeSuffix(".") })
+
+        /** Returns the mind with these [facts]: beliefs and events. */
+        fun of(facts: List<String>): Mind = facts.partition { it.first() !in "!+" }.let { (beliefs, events) -> Mind(beliefs, events) }
+
+        private fun beliefs(ts: TransitionSystem): List<Literal> = ts.ag.bb.filterNot(::isOfProgram).mapNotNull(::withoutPercept)
+
+        /** Returns [belief] without the source percept; null: it has no other source. */
+        private fun withoutPercept(belief: Literal): Literal? =
+            if (!belief.hasSource(BeliefBase.APercept)) belief
+            else belief.copy().also { it.delSource(BeliefBase.APercept) }.takeIf { it.hasSource() }
+
+        /** Returns the triggers with which the agent's intentions have begun, with the values of their variables; then waiting ones. */
+        private fun triggers(ts: TransitionSystem): List<Trigger> {
+            val begun = ts.c.allIntentions.asSequence().mapNotNull { intention ->
+                intention.lastOrNull()?.let { Trigger(it.trigger.operator, it.trigger.type, it.trigger.literal.capply(it.unif) as Literal) }
+            }
+            val waiting = (ts.c.events + listOfNotNull(ts.c.atomicEvent))
+                .filter { it.intention == null || it.intention === Intention.EmptyInt }.map { it.trigger }
+            return (begun.toList() + waiting).filter { it.isAddition && (it.isAchvGoal || isOfMind(it)) }
+        }
+
+        private fun isOfMind(trigger: Trigger) =
+            trigger.type == TEType.belief && !isOfProgram(trigger.literal) && withoutPercept(trigger.literal) != null
+    }
+}
+
+/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind takes the place of another. */
+private fun isOfProgram(belief: Literal) = belief is Rule || belief.isHidden
+
+/**
+ * Has the agent of [ts], which has read its program and has not begun, believe [beliefs] and nothing that its program begins with, except
+ * rules. The goals that its program begins with are gone, too. No belief causes an event: the agent knew it before. Called by its thread.
+ *
+ * @param refused gets each belief that the agent's belief base refuses, with the reason
+ */
+fun replaceMind(ts: TransitionSystem, beliefs: List<Literal>, refused: (String) -> Unit) {
+    val bb = ts.ag.bb
+    val own = bb.filter(::isOfProgram)
+    bb.clear()
+    ts.c.clearEvents()
+    for (belief in own + beliefs) {
+        try {
+            bb.add(AT_END, belief)
+        } catch (refusal: JasonException) {
+            refused("$belief is not believed any more: ${refusal.message}")
+        }
+    }
+}
+
+/** Puts [event] of a mind, with its [literal], into the queue of the agent of [ts]. Called by its thread. */
+fun beginAnew(ts: TransitionSystem, event: String, literal: Literal) {
+    if (event.startsWith("!")) ts.c.addAchvGoal(literal, Intention.EmptyInt)
+    else ts.c.addEvent(Event(Trigger(TEOperator.add, TEType.belief, literal), Intention.EmptyInt))
+}
+
+/** Jason's way of saying that a belief goes behind those with the same functor, so that all keep their order. */
+private const val AT_END = 1

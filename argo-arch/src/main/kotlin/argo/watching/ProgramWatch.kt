@@ -1,0 +1,42 @@
+package argo.watching
+
+import argo.observing.AgentObserver
+import argo.observing.ObservedAgent
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.logging.Logger
+
+/**
+ * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] tells the result, or the
+ * mistake in the file; the agent then goes on as it is.
+ */
+internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
+    private val closing = CountDownLatch(1)
+    private val saved = SavedFiles()
+    private val watcher = Thread(::watch, "argo-${agent.name}-watching").apply { isDaemon = true }
+
+    init {
+        val files = agent.sources() // as Jason has just read them
+        saved.look(files)
+        if (files.isEmpty()) log.warning("no file of the agent is on this computer's disk, so none is watched") else watcher.start()
+    }
+
+    private fun watch() {
+        while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) {
+            val files = saved.look(agent.sources())
+            if (files.isNotEmpty()) reload("${files.joinToString { "${it.fileName}" }} saved")
+        }
+    }
+
+    private fun reload(cause: String) = agent.reload { outcome ->
+        val refusal = outcome.refusal
+        if (refusal == null) log.info((listOf(cause) + outcome.told).joinToString("\n"))
+        else log.warning("$cause, but the agent goes on as it is:\n$refusal")
+    }
+
+    override fun close() = closing.countDown()
+
+    private companion object {
+        const val INTERVAL_MS = 250L
+    }
+}

@@ -1,0 +1,80 @@
+package argo.tools.reloading
+
+import argo.tools.command.ToolException
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
+import java.io.IOException
+import java.net.URI
+import java.net.URLEncoder
+import java.net.http.HttpClient
+import java.net.http.HttpRequest
+import java.net.http.HttpRequest.BodyPublishers
+import java.net.http.HttpResponse
+import java.net.http.HttpResponse.BodyHandlers
+import java.time.Duration
+
+/** The live views at [port] of this computer, of the agents of a running program. */
+internal class RunningViews(private val port: Int) {
+    /** Their address. */
+    val address: URI = URI("http://127.0.0.1:$port/")
+    private val client = HttpClient.newBuilder().connectTimeout(LIMIT).build()
+
+    /**
+     * Returns the names of the agents.
+     *
+     * @throws ToolException if no live view responds
+     */
+    fun agents(): List<String> = read { client.send(request("agents").build(), BodyHandlers.ofString()) }
+        .getValue("agents").jsonArray.map { it.jsonPrimitive.content }
+
+    /**
+     * Has [agent] read its program and filters anew.
+     *
+     * @throws ToolException if no live view responds
+     */
+    fun reload(agent: String): Reloading {
+        val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20") + "/reload"
+        var isDone = false
+        val answer = read {
+            val request = request(path).header("Content-Type", "application/json").POST(BodyPublishers.ofString("{}"))
+            client.send(request.build(), BodyHandlers.ofString()).also { isDone = it.statusCode() == DONE }
+        }
+        return Reloading(isDone, answer.getValue("message").jsonPrimitive.content)
+    }
+
+    private fun request(path: String) = HttpRequest.newBuilder(address.resolve("/$path")).timeout(LIMIT)
+
+    private fun read(respond: () -> HttpResponse<String>): JsonObject {
+        val response = try {
+            respond()
+        } catch (trouble: IOException) {
+            throw ToolException(
+                "no live view responds at $address (${trouble.message ?: trouble.javaClass.simpleName}): does the program run, with " +
+                    "argo_view=$port beside its agent? --view PORT names another port",
+            )
+        }
+        return try {
+            Json.decodeFromString<JsonObject>(response.body())
+        } catch (_: SerializationException) {
+            throw ToolException("$address is no live view of this version of ARGO; --view PORT names another port")
+        }
+    }
+
+    private companion object {
+        const val DONE = 200
+
+        /** A view has an agent's answer within three seconds. */
+        val LIMIT: Duration = Duration.ofSeconds(10)
+    }
+}
+
+/**
+ * The outcome of a reload.
+ *
+ * @property isDone whether the agent runs the files as they are now
+ * @property words the changes, or the reason why there are none
+ */
+internal class Reloading(val isDone: Boolean, val words: String)
