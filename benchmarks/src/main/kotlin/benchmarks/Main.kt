@@ -57,7 +57,9 @@ fun main(args: Array<String>) {
         in APART -> println(APART.getValue(name)(rest).joinToString(" "))
         BOARD_HOST -> hostBoards(rest)
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet")
+            System.err.println(
+                "usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet",
+            )
             exitProcess(2)
         }
     }

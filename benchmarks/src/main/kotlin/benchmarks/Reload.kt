@@ -36,8 +36,8 @@ private fun measured(what: String, changed: Int): Boolean = withAgents(mapOf(BOA
     val seen = arch.end()
     println(
         figures(
-            "%s of $PLANS changed: median %.0f ms, longest %.0f ms of $RELOADS, the first %.0f ms; longest cycle %.0f ms; of %d messages of " +
-                "the board %d not perceived, longest interval %.0f ms",
+            "%s of $PLANS changed: median %.0f ms, longest %.0f ms of $RELOADS, the first %.0f ms; longest cycle %.0f ms; of %d messages " +
+                "of the board %d not perceived, longest interval %.0f ms",
             what, times[times.size / 2], times.last(), first, seen.longestCycleMs, seen.messages, seen.lost, seen.longestMs,
         ),
     )
@@ -95,7 +95,8 @@ class PerceivingArch(platform: Platform) : Arch(platform) {
         super.reasoningCycleFinished()
         if (!isNoting) return
         longestNs = maxOf(longestNs, System.nanoTime() - cycleNs)
-        val number = ts.ag.bb.getCandidateBeliefs(NUMBER)?.asSequence()?.firstOrNull()?.let { (it.getTerm(0) as NumberTerm).solve().toInt() }
+        val belief = ts.ag.bb.getCandidateBeliefs(NUMBER)?.asSequence()?.firstOrNull()
+        val number = belief?.let { (it.getTerm(0) as NumberTerm).solve().toInt() }
         if (number == null || number == numbers.lastOrNull()) return
         numbers += number
         times += System.nanoTime()
@@ -117,10 +118,11 @@ private class Numbered : Sketch {
     override fun act(command: String) = true
 }
 
-private fun programOf(version: Int, changed: Int): String = sensing("sim:$BOARD", baud = 115_200, INTERVAL_MS, "+message(N) <- -+seen(N).\n") +
-    (0 until PLANS).joinToString("\n") { number ->
+private fun programOf(version: Int, changed: Int): String =
+    sensing("sim:$BOARD", baud = 115_200, INTERVAL_MS, "+message(N) <- -+seen(N).\n") + (0 until PLANS).joinToString("\n") { number ->
         val own = if (number < changed) version else 0
-        "+!task$number(X, _) : dist(front, Cm) & Cm > X & not blocked(_)\n   <- .print(\"task $number, $own\");\n      argo.act(move(X));\n" +
+        "+!task$number(X, _) : dist(front, Cm) & Cm > X & not blocked(_)\n   <- .print(\"task $number, $own\");\n" +
+            "      argo.act(move(X));\n" +
             "      if (X > $own) { +passed($number, X); .wait(100) } else { -passed($number, _) };\n      !task$number(X + 1, left)."
     }
 

@@ -58,7 +58,8 @@ internal class Likeness {
         if (one is DefaultTerm) pair(one, other as DefaultTerm)
         return when (one) {
             is VarTerm -> isAlikeName(one, other as VarTerm) && isAlike(one.ns as Any?, other.ns) && isAlikeAnnotations(one, other)
-            is Trigger -> one.operator == (other as Trigger).operator && one.type == other.type && isAlike(one.literal as Any?, other.literal)
+            is Trigger -> one.operator == (other as Trigger).operator && one.type == other.type &&
+                isAlike(one.literal as Any?, other.literal)
             is PlanBody -> one.bodyType == (other as PlanBody).bodyType && isAlike(one.bodyTerm as Any?, other.bodyTerm) &&
                 isAlike(one.bodyNext as Any?, other.bodyNext)
             is ListTerm -> isAllAlike(one.asList, (other as ListTerm).asList) && isAlike(one.tail as Any?, other.tail)
@@ -71,7 +72,8 @@ internal class Likeness {
 
     private fun isAlikeName(one: VarTerm, other: VarTerm): Boolean = when {
         one !is UnnamedVar -> one.functor == other.functor && one.negated() == other.negated()
-        else -> there.getOrPut(one.functor) { other.functor } == other.functor && back.getOrPut(other.functor) { one.functor } == one.functor
+        else -> there.getOrPut(one.functor) { other.functor } == other.functor &&
+            back.getOrPut(other.functor) { one.functor } == one.functor
     }
 
     private fun isAlikeLiteral(one: Literal, other: Literal): Boolean = one.functor == other.functor && one.negated() == other.negated() &&

@@ -74,7 +74,8 @@ internal class Reloading(
             return done(Outcome(refused.message))
         }
         hand.give(Order.Reload(program.files, known.addresses - program.addresses), program) { outcome ->
-            done(if (outcome.refusal != null) outcome else outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)))
+            if (outcome.refusal != null) done(outcome)
+            else done(outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)))
         }
     }
 
@@ -107,10 +108,11 @@ internal class Reloading(
     /** Does what belongs to an exchange of the program, on the agent's thread. Returns lines for a person. */
     private fun exchanged(program: ProgramText, filters: Map<PerceptionFilter, PerceptionFilter>, takes: Set<Offer>): List<String> {
         val before = known
-        known = Known(program.addresses, program.beliefs.mapTo(HashSet(), ::shown), program.goals.mapTo(HashSet(), ::shown))
         paths = program.paths
         val beliefs = program.beliefs.filter { shown(it) !in before.beliefs && agent.bb.contains(it) == null }
         val goals = program.goals.filter { shown(it) !in before.goals }
+        val left = (beliefs.takeUnless { Offer.BELIEFS in takes }.orEmpty() + goals.takeUnless { Offer.GOALS in takes }.orEmpty()).toSet()
+        known = Known(program.addresses, shownOf(program.beliefs - left), shownOf(program.goals - left)) // what is left is offered again
         return exchangeFilters(filters.filter { (one, other) -> one != other }) +
             offer(Offer.BELIEFS, beliefs, takes, Order::Believe) + offer(Offer.GOALS, goals, takes, Order::Begin)
     }
@@ -127,10 +129,14 @@ internal class Reloading(
     private fun offer(offer: Offer, literals: List<Literal>, takes: Set<Offer>, order: (String) -> Order): List<String> {
         if (literals.isEmpty()) return emptyList()
         val shown = literals.joinToString(transform = ::shown)
-        if (offer !in takes) return listOf("new initial ${offer.word}, not ${offer.taken}: $shown (argo.reload([${offer.word}]) takes them)")
+        if (offer !in takes) {
+            return listOf("new initial ${offer.word}, not ${offer.taken}: $shown (argo.reload([${offer.word}]) takes them)")
+        }
         literals.forEach { hand.give(order(shown(it)), done = {}) }
         return listOf("new initial ${offer.word}, ${offer.taken}: $shown")
     }
+
+    private fun shownOf(literals: List<Literal>) = literals.mapTo(HashSet(), ::shown)
 
     private fun shown(literal: Literal): String = "${literal.copy().apply { clearAnnots() }}"
 

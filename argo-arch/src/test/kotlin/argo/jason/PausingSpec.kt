@@ -16,7 +16,6 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain as shouldContainText
 import jason.asSemantics.Agent
 import jason.asSemantics.TransitionSystem
 import jason.infra.local.LocalAgArchAsynchronous
@@ -26,6 +25,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
+import io.kotest.matchers.string.shouldContain as shouldContainText
 
 /** Agents that stand on their own threads, with boards in real time. */
 class PausingSpec : FunSpec({

@@ -54,7 +54,8 @@ class OrdersSpec : FunSpec({
     context("the agent refuses in words, and stays as it is") {
         withData(
             mapOf(
-                "what is no literal" to (Order.Believe("limit(") to "'limit(' is no belief that Jason can read: Encountered \"<EOF>\" at line 1"),
+                "what is no literal" to
+                    (Order.Believe("limit(") to "'limit(' is no belief that Jason can read: Encountered \"<EOF>\" at line 1"),
                 "a belief with a variable" to (Order.Believe("limit(X)") to "limit(X) has a variable without a value"),
                 "a percept" to (Order.Believe("dist(f,3)[source(percept)]") to "is believed as long as the agent perceives it"),
                 "a variable" to (Order.Believe("X") to "a belief is a literal such as near(wall), not X"),

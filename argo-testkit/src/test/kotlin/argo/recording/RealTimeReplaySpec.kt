@@ -4,8 +4,8 @@ import argo.observing.Order
 import argo.observing.PausePhase
 import argo.observing.StopAt
 import argo.recording.replay.Recording
-import argo.recording.replay.Replay
 import argo.recording.replay.RecordingException
+import argo.recording.replay.Replay
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec

@@ -76,7 +76,8 @@ class ReloadSpec : FunSpec({
     test("what cannot be read changes nothing, and shows the parser's error at its line") {
         val recording = driven("+!a <- .print(a).\n") { file ->
             val before = Programs.plansOf(this)
-            reloaded(file, "+!a <- .print(b).\n+!b <- .print(.\n").refusal.orEmpty() shouldContain "${file.fileName}: \".\" does not belong in line 2"
+            reloaded(file, "+!a <- .print(b).\n+!b <- .print(.\n").refusal.orEmpty() shouldContain
+                "${file.fileName}: \".\" does not belong in line 2"
             reloaded(file, "@x +!a.\n@x +!b.\n").refusal.orEmpty() shouldContain "label x"
             reloaded(file, "{ include(\"none.asl\") }\n+!a.\n").refusal.orEmpty() shouldContain "the included file none.asl is not found"
             reloaded(file, "{ begin namespace(n, local) }\n+!a.\n{ end }\n").refusal.orEmpty() shouldContain "is a local namespace"
@@ -87,7 +88,8 @@ class ReloadSpec : FunSpec({
     }
 
     test("plans got at run time stay, and one of them with a label of the new program refuses it") {
-        val recording = driven("!go.\n+!go <- .add_plan(\"@late +!late <- .print(late).\"); .add_plan(\"+!first.\", self, begin).\n") { file ->
+        val old = "!go.\n+!go <- .add_plan(\"@late +!late <- .print(late).\"); .add_plan(\"+!first.\", self, begin).\n"
+        val recording = driven(old) { file ->
             after(100.milliseconds)
             reloaded(file, "+!gone.\n").told shouldContainExactly listOf("1 plan changed; 0 are as before")
             Programs.plansOf(this).map { "${it.trigger}" } shouldContainExactly listOf("+!first", "+!gone", "+!late")
@@ -99,7 +101,8 @@ class ReloadSpec : FunSpec({
 
     test("rules are exchanged; new beliefs and goals are offered, or taken by argo.reload") {
         val old = "limit(40). near :- dist(_, Cm) & Cm < 40. far :- not near.\n+!start <- argo.reload([beliefs, goals]).\n"
-        val new = "limit(20). limit(40). colour(red). !begin.\nnear :- dist(_, Cm) & limit(L) & Cm < L. far :- not near.\n+!begin <- .print(begun).\n" +
+        val new = "limit(20). limit(40). colour(red). !begin.\nnear :- dist(_, Cm) & limit(L) & Cm < L. far :- not near.\n" +
+            "+!begin <- .print(begun).\n" +
             "+!start <- argo.reload([beliefs, goals]).\n+dist(_, _) : near <- .print(near).\n"
         val recording = driven(old) { file ->
             reloaded(file, new).told shouldContainExactly listOf(
@@ -118,7 +121,8 @@ class ReloadSpec : FunSpec({
 
     test("a recording that has lost its beginning, and the reload, is replayed from a key frame") {
         val plans = "!start.\n+!start <- argo.port(ttyACM0); argo.percepts(open); !tick(0).\n+!tick(N) <- .wait(200); !tick(N + 1).\n"
-        val old = "${plans}near :- dist(front, Cm) & Cm < 40.\n+dist(front, Cm) : near <- argo.act(stop).\n+dist(front, Cm) <- .print(Cm).\n"
+        val old = "${plans}near :- dist(front, Cm) & Cm < 40.\n+dist(front, Cm) : near <- argo.act(stop).\n" +
+            "+dist(front, Cm) <- .print(Cm).\n"
         val new = "// new\n\n${plans}near :- dist(front, Cm) & Cm < 60.\n+dist(front, Cm) : near <- .print(near); argo.act(halt).\n" +
             "+dist(front, Cm) <- .print(Cm).\n"
         val recording = driven(old) { file ->

@@ -55,10 +55,12 @@ private class ReloadedDrive(private val random: Random, private val file: Path) 
         val label = if (random.nextInt(3) == 0) "@l${loop}_${random.nextInt(1000)}[note($version)] " else ""
 
         fun text(): String = when (loop % 4) {
-            0 -> "$label+!g$loop : known(_, $version) | not never(_, _) <- +seen($version); .wait(${7 + version % 20}); -seen($version); !g$loop."
+            0 -> "$label+!g$loop : known(_, $version) | not never(_, _) <- " +
+                "+seen($version); .wait(${7 + version % 20}); -seen($version); !g$loop."
             1 -> "$label+!g$loop <- !sub$loop(X, _);\n   if (X > 1) { argo.act(move(X)) } else { .wait(${5 + version % 9}) };\n   !!g$loop."
             2 -> "$label+!g$loop <- .wait(\"+dist(_, _)\", ${30 + version % 20}); -+last(_, $version); !g$loop.\n-!g$loop <- !g$loop."
-            else -> "$label+!g$loop[source(S)] <- for (.member(_, [1, 2])) { .wait(${3 + version % 8}); +p(S, $version) }; .abolish(p(_, _)); !g$loop."
+            else -> "$label+!g$loop[source(S)] <- for (.member(_, [1, 2])) { .wait(${3 + version % 8}); +p(S, $version) }; " +
+                ".abolish(p(_, _)); !g$loop."
         }
     }
 
@@ -70,7 +72,8 @@ private class ReloadedDrive(private val random: Random, private val file: Path) 
         val starts = (0 until LOOPS).joinToString(" ") { "!g$it." }
         val subs = (0 until LOOPS).filter { it % 4 == 1 }.joinToString("\n") { "+!sub$it(X, _) <- X = ${random.nextInt(3)}." }
         val plans = (loops.map { it.text() } + others).joinToString("\n")
-        return "!start. $starts\n${if (random.nextBoolean()) "// a comment\n\n" else ""}far :- dist(_, Cm) & Cm > ${random.nextInt(100)}.\n" +
+        return "!start. $starts\n${if (random.nextBoolean()) "// a comment\n\n" else ""}" +
+            "far :- dist(_, Cm) & Cm > ${random.nextInt(100)}.\n" +
             "+!start <- argo.port(ttyACM0); argo.limit(20); argo.percepts(open); .add_plan(\"+!late(_) <- .wait(5).\").\n$plans\n$subs\n"
     }
 
@@ -79,7 +82,9 @@ private class ReloadedDrive(private val random: Random, private val file: Path) 
             when (random.nextInt(6)) {
                 0, 1 -> loops[random.nextInt(loops.size)].version++
                 2 -> loops.shuffle(random)
-                3 -> others.add(random.nextInt(others.size + 1), "+dist(_, Cm) : far & Cm > ${random.nextInt(100)} & not n(_) <- -+far(${++count}, _).")
+                3 -> others.add(
+                    random.nextInt(others.size + 1), "+dist(_, Cm) : far & Cm > ${random.nextInt(100)} & not n(_) <- -+far(${++count}, _).",
+                )
                 4 -> if (others.isNotEmpty()) others.removeAt(random.nextInt(others.size))
                 else -> others.add("@own${++count} +!own(_, X) : X > $count <- .print(_, X).")
             }

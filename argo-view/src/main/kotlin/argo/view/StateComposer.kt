@@ -9,10 +9,10 @@ import argo.observing.ObservedPort
 import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
-import argo.observing.PauseState as ObservedPause
 import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 import java.util.logging.Logger
+import argo.observing.PauseState as ObservedPause
 
 /**
  * Composes the states of the page. For the view's thread only; any thread may set [picture].

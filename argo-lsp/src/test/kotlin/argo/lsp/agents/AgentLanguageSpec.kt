@@ -23,7 +23,9 @@ import kotlin.io.path.writeText
 class AgentLanguageSpec : FunSpec({
     val project = tempdir().toPath()
     val uri = project.resolve("src/agt/robot.asl").toUri().toString()
-    project.resolve("robot.mas2j").writeText("MAS robot { agents: robot [beliefs=\"limit(20)\"] agentArchClass argo.Arch; base; aslSourcePath: \"src/agt\"; }")
+    project.resolve("robot.mas2j").writeText(
+        "MAS robot { agents: robot [beliefs=\"limit(20)\"] agentArchClass argo.Arch; base; aslSourcePath: \"src/agt\"; }",
+    )
     project.resolve("sketch").createDirectories().resolve("robot.ino").writeText(
         "void setup() {\n  javino.describe(F(\"dist(front|left, cm 0..400)\"));\n  javino.act[\"stop\"] = stop;\n}\n",
     )

@@ -75,10 +75,11 @@ private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
 /** Returns the reason why no replay can read the program [text], namely that the project's code reads a directive; null: none. */
-internal fun foreignDirective(text: String): String? = (ProgramNames(text).directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
-    val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
-    type?.let { "the project's class ${it.name} reads its directive $directive" }
-}
+internal fun foreignDirective(text: String): String? =
+    (ProgramNames(text).directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
+        val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
+        type?.let { "the project's class ${it.name} reads its directive $directive" }
+    }
 
 private fun Path.isParentOf(file: Path) = file.startsWith(this)
 

@@ -115,7 +115,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
         if (cycle.input.orders.isEmpty()) return
         val orders = cycle.input.orders.map(::orderOf).filter { answers.isOfRecordedProgram || it !is Order.Reload }
-        orders.filterIsInstance<Order.Reload>().flatMap { it.files }.flatMap { ProgramNames(it.text).classes }.forEach(GuardedAgent::requireCode)
+        orders.filterIsInstance<Order.Reload>().flatMap { it.files }.flatMap { ProgramNames(it.text).classes }
+            .forEach(GuardedAgent::requireCode)
         Keeper.within(this) { orders.forEach(carryOut) }
         if (orders.none { it is Order.Reload }) return
         guarded(ts) {
