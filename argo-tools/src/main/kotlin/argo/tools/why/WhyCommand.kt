@@ -30,7 +30,7 @@ import java.nio.file.Path
 )
 internal class WhyCommand : JasonCommand() {
     @Parameters(
-        arity = "2..*", paramLabel = "FILE... QUESTION",
+        arity = "1..*", paramLabel = "FILE... QUESTION",
         description = ["recordings by agents' argo_record, and behind them a command: stop@12.3s, stop#3, stop or #17"],
     )
     private lateinit var operands: List<String>
@@ -45,6 +45,7 @@ internal class WhyCommand : JasonCommand() {
     private var of: String? = null
 
     override fun call(): Int {
+        if (operands.size < 2) misuse("it takes a recording and, behind it, a command such as stop@12.3s")
         val files = operands.dropLast(1).map(Path::of)
         val asked = Question.of(operands.last()) ?: misuse("a question is a command such as stop@12.3s, not '${operands.last()}'")
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
