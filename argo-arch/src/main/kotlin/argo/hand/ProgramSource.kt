@@ -38,7 +38,7 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
         }
 
         /** Returns the paths on this computer's disks at which [included] looks for a file. */
-        fun placesOf(name: String, outer: String?, sourcePath: SourcePath): List<Path> =
+        internal fun placesOf(name: String, outer: String?, sourcePath: SourcePath): List<Path> =
             (listOf(name) + pathsOf(outer, sourcePath).paths.map { "$it/$name" }).mapNotNull(::pathOf).distinct()
 
         private fun pathsOf(outer: String?, sourcePath: SourcePath) = SourcePath().apply {
