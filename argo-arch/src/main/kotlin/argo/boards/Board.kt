@@ -70,9 +70,6 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
-    /** The filter that was chosen for only this board; null: none was, or everything is kept. */
-    val chosenFilter: PerceptionFilter? get() = ownFilter?.filter
-
     /** True if the board has a filter of its own, which may be none. Any thread may read. */
     val hasOwnFilter: Boolean get() = ownFilter != null
 

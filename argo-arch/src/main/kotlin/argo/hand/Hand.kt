@@ -33,28 +33,31 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
 
     /** Has the agent of [ts] carry [order] out, and tells its outcome to the person who gave it: nobody, if a replay gives it. */
     fun carryOut(order: Order, ts: TransitionSystem) {
-        val given = taken.removeFirstOrNull()
-        val outcome = outcomeOf(order, given?.program, ts)
-        given?.done?.invoke(outcome)
+        val given = taken.find { it.order === order }?.also(taken::remove)
+        val outcome = attempt(order) { outcomeOf(order, given?.program, ts) }
+        attempt(order) { outcome.also { given?.done?.invoke(it) } }
     }
 
-    private fun outcomeOf(order: Order, program: ProgramText?, ts: TransitionSystem): Outcome = try {
-        when (order) {
-            is Order.Believe -> ts.believe(order.literal)
-            is Order.Forget -> ts.forget(order.literal)
-            is Order.Begin -> ts.begin(order.goal)
-            is Order.Drop -> ts.drop(order.goal)
-            is Order.Reload -> ts.reload(order, program ?: ProgramText.of(order.files))
-            is Order.Resume -> ts.resume(order.beliefs)
-            is Order.BeginAnew -> ts.beginAnew(order.events)
-        }
+    private fun outcomeOf(order: Order, program: ProgramText?, ts: TransitionSystem): Outcome = when (order) {
+        is Order.Believe -> ts.believe(order.literal)
+        is Order.Forget -> ts.forget(order.literal)
+        is Order.Begin -> ts.begin(order.goal)
+        is Order.Drop -> ts.drop(order.goal)
+        is Order.Reload -> ts.reload(order, program ?: ProgramText.of(order.files))
+        is Order.Resume -> ts.resume(order.beliefs)
+        is Order.BeginAnew -> ts.beginAnew(order.events)
+    }
+
+    /** Does [work] for [order]; what it throws becomes the outcome, so that the agent goes on. */
+    fun attempt(order: Order, work: () -> Outcome): Outcome = try {
+        work()
     } catch (refused: OrderRefusedException) {
         Outcome(refused.message)
     } catch (refused: RevisionFailedException) {
         Outcome("the agent's own belief revision refuses it: ${refused.message}")
-    } catch (broken: RuntimeException) { // the project's own code may revise beliefs
+    } catch (broken: Throwable) { // the project's own code may revise beliefs and keep them
         log.log(Level.WARNING, broken) { "the order $order failed" }
-        Outcome("it failed: $broken")
+        Outcome("it failed, perhaps in the middle: $broken")
     }
 }
 

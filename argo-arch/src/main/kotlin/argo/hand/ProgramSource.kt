@@ -30,15 +30,20 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)
-            val paths = SourcePath().apply {
-                if (outer != null) addParentInPath(outer)
-                addAll(sourcePath)
-            }
             return try {
-                at(if (outer == null) found else paths.fixPath(found))
+                at(if (outer == null) found else pathsOf(outer, sourcePath).fixPath(found))
             } catch (_: IOException) {
                 null
             }
+        }
+
+        /** Returns the paths on this computer's disks at which [included] looks for a file. */
+        internal fun placesOf(name: String, outer: String?, sourcePath: SourcePath): List<Path> =
+            (listOf(name) + pathsOf(outer, sourcePath).paths.map { "$it/$name" }).mapNotNull(::pathOf).distinct()
+
+        private fun pathsOf(outer: String?, sourcePath: SourcePath) = SourcePath().apply {
+            if (outer != null) addParentInPath(outer)
+            addAll(sourcePath)
         }
 
         private fun open(address: String) = when {

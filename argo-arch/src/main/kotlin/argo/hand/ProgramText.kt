@@ -84,21 +84,23 @@ internal class ProgramText private constructor(
     companion object {
         /**
          * Reads the program at [address], an agent's `aslSrc`, and all files that it includes, found as Jason finds them. Any thread.
+         * @param looksAt called with each path on this computer's disks that is read, or at which an included file is missing
          * @throws OrderRefusedException if a file is missing, or Jason cannot read it, or could not exchange it
          */
-        fun read(address: String): ProgramText {
+        fun read(address: String, looksAt: (Path) -> Unit): ProgramText {
             val sources = ArrayList<ProgramSource>()
             val files = ArrayList<ProgramFile>()
             fun add(within: String, name: String, called: String, source: ProgramSource) = ProgramFile(
                 within, name, called, String(source.bytes, Charset.defaultCharset()), // Jason reads programs so
             ).also {
                 sources += source
+                source.path?.let(looksAt)
                 files += it
             }
             val main = add("", "", nameOf(address), mainAt(address))
             val number = Overlaps.begin()
             val (draft, parts) = try {
-                Drafting { within, name -> included(within, name).let { add(within, name, it.address, it) } }.read(main)
+                Drafting { within, name -> included(within, name, looksAt).let { add(within, name, it.address, it) } }.read(main)
             } finally {
                 Overlaps.end(number)
             }
@@ -126,9 +128,12 @@ internal class ProgramText private constructor(
             throw OrderRefusedException("the program cannot be read: $missing")
         }
 
-        private fun included(within: String, name: String): ProgramSource =
-            ProgramSource.included(name, within.ifEmpty { null }, KeptInclude.sourcePath)
-                ?: throw OrderRefusedException("the included file $name is not found")
+        private fun included(within: String, name: String, looksAt: (Path) -> Unit): ProgramSource {
+            val outer = within.ifEmpty { null }
+            ProgramSource.included(name, outer, KeptInclude.sourcePath)?.let { return it }
+            ProgramSource.placesOf(name, outer, KeptInclude.sourcePath).forEach(looksAt)
+            throw OrderRefusedException("the included file $name is not found")
+        }
 
         /** Returns Jason's name of the program at [address]: its URL, or the name of its file. */
         fun nameOf(address: String): String = try {

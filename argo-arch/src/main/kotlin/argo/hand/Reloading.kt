@@ -31,7 +31,7 @@ internal class Reloading(
     private val perceiveThrough: (PerceptionFilter?) -> Unit,
 ) {
     /** The program that the agent has: what a newer text is compared with. */
-    private class Known(val addresses: Set<String>, val beliefs: Set<String>, val goals: Set<String>)
+    private class Known(val addresses: Set<String>, val stated: Map<Offer, Set<String>>)
 
     private val agent get() = ts.ag
 
@@ -41,23 +41,33 @@ internal class Reloading(
     @Volatile
     private var paths: List<Path>? = null
 
+    /** The paths of the last reading, which may have been refused. */
+    @Volatile
+    private var looked: List<Path> = emptyList()
+
     private fun atBeginning(): Known {
         agent.aslSrc?.let { Plans.of(agent).all.fileless(ProgramText.nameOf(it), it) }
         return Known(
-            Plans.of(agent).all.mapTo(HashSet()) { it.sourceFile } - KQML_FILE - File(Config.get().kqmlPlansFile).name,
-            agent.bb.filterNot { it.isRule }.mapTo(HashSet(), ::shown),
-            ts.c.events.mapTo(HashSet()) { shown(it.trigger.literal) },
+            Plans.of(agent).all.mapTo(HashSet()) { it.sourceFile } + agent.bb.filter { it.isRule }.mapNotNull { it.srcInfo?.srcFile } -
+                KQML_FILE - File(Config.get().kqmlPlansFile).name,
+            mapOf(
+                Offer.BELIEFS to shownOf(agent.bb.filterNot { it.isRule }),
+                Offer.GOALS to shownOf(ts.c.events.map { it.trigger.literal }),
+            ),
         )
     }
 
-    /** Returns the files on disk that [reload] reads; empty: the program and its filters are somewhere else, or cannot be read. */
+    /**
+     * Returns the files on disk that [reload] reads, and after a refusal also those that it has read or missed then. Empty: the program and
+     * its filters are somewhere else, or cannot be read.
+     */
     fun sources(): List<Path> {
         val program = paths ?: try {
             read().paths.also { paths = it }
         } catch (_: OrderRefusedException) {
             emptyList()
         }
-        return (program + filters().mapNotNull { filterPath(agent, it.name) }).distinct()
+        return (program + looked + filters().mapNotNull { filterPath(agent, it.name) }).distinct()
     }
 
     /**
@@ -73,9 +83,10 @@ internal class Reloading(
         } catch (refused: OrderRefusedException) {
             return done(Outcome(refused.message))
         }
-        hand.give(Order.Reload(program.files, known.addresses - program.addresses), program) { outcome ->
-            if (outcome.refusal != null) done(outcome)
-            else done(outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)))
+        val order = Order.Reload(program.files, known.addresses - program.addresses)
+        hand.give(order, program) { outcome ->
+            if (outcome.refusal != null) return@give done(outcome)
+            done(hand.attempt(order) { outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)) })
         }
     }
 
@@ -84,8 +95,15 @@ internal class Reloading(
         boards.platform.start("argo-${boards.owner}-reloading") { reload(takes, done) }
     }
 
-    private fun read(): ProgramText =
-        ProgramText.read(agent.aslSrc?.takeIf { it.isNotEmpty() } ?: throw OrderRefusedException("the agent has no file with a program"))
+    private fun read(): ProgramText {
+        val address = agent.aslSrc?.takeIf { it.isNotEmpty() } ?: throw OrderRefusedException("the agent has no file with a program")
+        val looking = ArrayList<Path>()
+        try {
+            return ProgramText.read(address, looking::add)
+        } finally {
+            looked = looking
+        }
+    }
 
     private fun filters(): List<PerceptionFilter> =
         (listOf(boards.filter) + boards.current.map { it.filter }).filterNotNull().distinctBy { it.name }
@@ -107,38 +125,48 @@ internal class Reloading(
 
     /** Does what belongs to an exchange of the program, on the agent's thread. Returns lines for a person. */
     private fun exchanged(program: ProgramText, filters: Map<PerceptionFilter, PerceptionFilter>, takes: Set<Offer>): List<String> {
-        val before = known
         paths = program.paths
-        val beliefs = program.beliefs.filter { shown(it) !in before.beliefs && agent.bb.contains(it) == null }
-        val goals = program.goals.filter { shown(it) !in before.goals }
-        val left = (beliefs.takeUnless { Offer.BELIEFS in takes }.orEmpty() + goals.takeUnless { Offer.GOALS in takes }.orEmpty()).toSet()
-        known = Known(program.addresses, shownOf(program.beliefs - left), shownOf(program.goals - left)) // what is left is offered again
-        return exchangeFilters(filters.filter { (one, other) -> one != other }) +
-            offer(Offer.BELIEFS, beliefs, takes, Order::Believe) + offer(Offer.GOALS, goals, takes, Order::Begin)
+        val new = Offer.entries.associateWith { offer -> offer.of(program).filter { isNew(offer, it) } }
+        val left = new - takes
+        known = Known(program.addresses, Offer.entries.associateWith { shownOf(it.of(program)) - shownOf(left[it].orEmpty()) })
+        val lines = new.filterValues { it.isNotEmpty() }.map { (offer, literals) ->
+            if (offer in takes) take(offer, literals) else offered(offer, literals)
+        }
+        return exchangeFilters(filters.filter { (one, other) -> one != other }) + lines
     }
+
+    private fun isNew(offer: Offer, literal: Literal) = shown(literal) !in known.stated.getValue(offer) &&
+        !(offer == Offer.BELIEFS && agent.bb.contains(literal)?.let(literal::hasSubsetAnnot) ?: false)
 
     private fun exchangeFilters(filters: Map<PerceptionFilter, PerceptionFilter>): List<String> {
         if (filters.isEmpty()) return emptyList()
-        val own = boards.current.mapNotNull { board -> board.chosenFilter?.let { board to it } }
+        val own = boards.current.filter { it.hasOwnFilter }.map { it to it.filter }
         filters[boards.filter]?.let(perceiveThrough) // and each board, too
         own.forEach { (board, filter) -> boards.perceiveThrough(filters[filter] ?: filter, board) }
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Offers [literals], which are new in the program: tells them, or gives the agent an [order] for each. */
-    private fun offer(offer: Offer, literals: List<Literal>, takes: Set<Offer>, order: (String) -> Order): List<String> {
-        if (literals.isEmpty()) return emptyList()
-        val shown = literals.joinToString(transform = ::shown)
-        if (offer !in takes) {
-            return listOf("new initial ${offer.word}, not ${offer.taken}: $shown (argo.reload([${offer.word}]) takes them)")
+    /** Tells of [literals], which are new in the program. They stay new until they are taken. */
+    private fun offered(offer: Offer, literals: List<Literal>) =
+        "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
+            "(argo.reload([${offer.word}]) takes them)"
+
+    /** Has the agent believe or begin [literals] in its next cycle. Those that it refuses stay new. */
+    private fun take(offer: Offer, literals: List<Literal>): String {
+        literals.forEach { literal ->
+            hand.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
         }
-        literals.forEach { hand.give(order(shown(it)), done = {}) }
-        return listOf("new initial ${offer.word}, ${offer.taken}: $shown")
+        return "new initial ${offer.word}, taken: ${literals.joinToString(transform = ::shown)}"
     }
 
-    private fun shownOf(literals: List<Literal>) = literals.mapTo(HashSet(), ::shown)
+    private fun refused(offer: Offer, literal: Literal, why: String) {
+        boards.log.warning("of the new initial ${offer.word}, ${shown(literal)} is not ${offer.taken}: $why")
+        known = Known(known.addresses, known.stated + (offer to known.stated.getValue(offer) - shown(literal)))
+    }
 
-    private fun shown(literal: Literal): String = "${literal.copy().apply { clearAnnots() }}"
+    private fun shownOf(literals: Iterable<Literal>) = literals.mapTo(HashSet(), ::shown)
+
+    private fun shown(literal: Literal): String = "${literal.copy().apply { delSources() }}"
 
     private companion object {
         const val KQML_FILE = "kqmlPlans.asl" // PlanLibrary.KQML_PLANS_FILE, a class that Jason 3.3.0 has elsewhere
@@ -150,8 +178,10 @@ internal class Reloading(
  *
  * @property word the option of `argo.reload`
  * @property taken what the agent has done with it
+ * @property of returns it
+ * @property order makes the order that has an agent take a literal of it
  */
-internal enum class Offer(val word: String, val taken: String) {
-    BELIEFS("beliefs", "believed"),
-    GOALS("goals", "begun"),
+internal enum class Offer(val word: String, val taken: String, val of: (ProgramText) -> List<Literal>, val order: (String) -> Order) {
+    BELIEFS("beliefs", "believed", ProgramText::beliefs, Order::Believe),
+    GOALS("goals", "begun", ProgramText::goals, Order::Begin),
 }

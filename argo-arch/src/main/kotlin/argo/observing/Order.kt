@@ -54,7 +54,8 @@ data class ProgramFile(val within: String, val name: String, val address: String
 /**
  * The outcome of an [Order].
  *
- * @property refusal the reason for which the agent has refused the order, for a person; the agent is unchanged. Null: it is carried out
+ * @property refusal the reason for which the agent has refused the order, for a person; the agent is unchanged, unless code has
+ *   failed. Null: it is carried out
  * @property told further lines for the person
  */
 data class Outcome(val refusal: String?, val told: List<String> = emptyList())

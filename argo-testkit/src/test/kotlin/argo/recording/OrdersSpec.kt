@@ -11,8 +11,19 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.asSemantics.Agent
+import jason.asSemantics.Intention
+import jason.asSyntax.Literal
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
+
+/** An agent whose revision of beliefs goes astray. */
+class StumblingAgent : Agent() {
+    override fun brf(beliefToAdd: Literal?, beliefToDel: Literal?, i: Intention?): Array<MutableList<Literal>>? {
+        if (beliefToAdd?.functor == "stumbles") throw StackOverflowError()
+        return super.brf(beliefToAdd, beliefToDel, i)
+    }
+}
 
 /** The agent carries out a person's orders between two reasoning cycles, and a replay carries out the recorded ones. */
 class OrdersSpec : FunSpec({
@@ -76,6 +87,16 @@ class OrdersSpec : FunSpec({
                 robot.beliefs shouldBe before
                 robot.intentions shouldContainExactly emptyList()
             }
+        }
+    }
+
+    test("an order that fails in the project's own code is told, and the agent goes on") {
+        agentOf("+likes(X) <- .print(X).", { agentClass = StumblingAgent::class.java }).use { robot ->
+            robot.ordered(Order.Believe("stumbles(1)")).refusal.orEmpty() shouldContain "it failed, perhaps in the middle: java.lang.Stack"
+            robot.mas.open { robot.observed.order(Order.Believe("likes(tea)")) { error("the view is gone") } }
+            robot.after(20.milliseconds)
+            robot.carriesOut(Order.Believe("likes(milk)"))
+            robot.printed shouldContainExactly listOf("tea", "milk")
         }
     }
 

@@ -111,10 +111,30 @@ class ReloadSpec : FunSpec({
                 "new initial goals, not begun: begin (argo.reload([goals]) takes them)",
             )
             hears("boss", "tell", "dist(front, 30)").after(50.milliseconds).printed shouldContainExactly listOf("near")
-            reloaded(file, new).told shouldContainExactly listOf("none of the 3 plans has changed")
+            reloaded(file, new).told shouldContainExactly listOf(
+                "none of the 3 plans has changed",
+                "new initial beliefs, not believed: limit(20), colour(red) (argo.reload([beliefs]) takes them)",
+                "new initial goals, not begun: begin (argo.reload([goals]) takes them)",
+            )
             file.writeText("$new\ncolour(blue). !again. +!again <- .print(again).")
             hears("boss", "achieve", "start").after(100.milliseconds)
-            shouldBelieve("colour(blue)").printed shouldContainExactly listOf("near", "again")
+            shouldBelieve("colour(blue)").shouldBelieve("limit(20)").printed shouldContainExactly listOf("near", "begun", "again")
+            reloaded(file, "$new\ncolour(blue). !again. +!again <- .print(again).").told shouldContainExactly
+                listOf("none of the 4 plans has changed")
+        }
+        shouldReplay(recording)
+    }
+
+    test("a belief is taken with its annotations; a goal that the agent refuses is told, and offered again") {
+        val plan = "+!start <- argo.reload([beliefs, goals]).\n"
+        val new = "speed(3)[unit(cm)]. !patrol.\n$plan"
+        val recording = driven("speed(3).\n$plan") { file ->
+            file.writeText(new)
+            hears("boss", "achieve", "start").after(100.milliseconds).shouldBelieve("speed(3)[unit(cm)]")
+            log shouldContain "WARNING of the new initial goals, patrol is not begun: the agent has no plan for +!patrol/0"
+            reloaded(file, new).told shouldContainExactly listOf(
+                "none of the 1 plans has changed", "new initial goals, not begun: patrol (argo.reload([goals]) takes them)",
+            )
         }
         shouldReplay(recording)
     }
@@ -148,6 +168,46 @@ class ReloadSpec : FunSpec({
             Programs.plansOf(this).map { "${it.trigger}" } shouldContainExactly listOf("+!a")
         }
         shouldReplay(recording)
+    }
+
+    test("a file that is included anew, but is missing or has a mistake, is one of the agent's files, and so are those before") {
+        folder.resolve("wrong.asl").writeText("+!b <- .print(.\n")
+        driven("+!a.\n", { sourcePath("$folder") }) { file ->
+            reloaded(file, "{ include(\"wrong.asl\") }\n+!a.\n").refusal.orEmpty() shouldContain "wrong.asl"
+            observed.sources() shouldContainExactly listOf(file, folder.resolve("wrong.asl"))
+            reloaded(file, "{ include(\"none.asl\") }\n+!a.\n").refusal.orEmpty() shouldContain "none.asl"
+            observed.sources() shouldContain folder.resolve("none.asl")
+            folder.resolve("none.asl").writeText("+!b.\n")
+            reloaded(file, "{ include(\"none.asl\") }\n+!a.\n").told shouldContainExactly listOf("1 plan added; 1 are as before")
+            observed.sources() shouldContainExactly listOf(file, folder.resolve("none.asl"))
+        }
+    }
+
+    test("rules of a file that has only rules are removed when it is not included any more") {
+        folder.resolve("rules.asl").writeText("near :- dist(_, Cm) & Cm < 40.\n")
+        val recording = driven("{ include(\"rules.asl\") }\n+!a.\n", { sourcePath("$folder") }) { file ->
+            reloaded(file, "+!a.\n").told shouldContainExactly listOf("none of the 1 plans has changed", "rules exchanged: near/0")
+            beliefs.shouldBeEmpty()
+        }
+        shouldReplay(recording)
+    }
+
+    test("a board that perceives everything still does when the agent's filter is read anew") {
+        val program = "!go.\n+!go <- argo.ports([ttyACM0, ttyACM1]); argo.change_filter(agents); " +
+            "argo.change_filter(none, [port(ttyACM1)]); argo.percepts(open).\n"
+        fun filter(at: String) = "<PerceptionFilter><filter><predicate>dist</predicate>" +
+            "<parameter operator=\"NE\" id=\"0\">$at</parameter></filter></PerceptionFilter>"
+        folder.resolve("agents.xml").writeText(filter("front"))
+        val boards: AgentSetUp.() -> Unit = {
+            board("ttyACM0").shows("dist(front,1)", "dist(back,2)")
+            board("ttyACM1").shows("dist(side,3)")
+        }
+        driven(program, boards) { file ->
+            shouldBelieve("dist(front,1)").shouldBelieve("dist(side,3)")
+            folder.resolve("agents.xml").writeText(filter("back"))
+            reloaded(file, program).told shouldContain "filters read anew: agents"
+            shouldBelieve("dist(back,2)").shouldNotBelieve("dist(front,1)", 100.milliseconds).shouldBelieve("dist(side,3)", 0.seconds)
+        }
     }
 
     test("an active filter is read anew, and a broken one refuses the program too") {
