@@ -3,6 +3,7 @@ package argo
 import argo.boards.AgentBoards
 import argo.boards.AgentPerception
 import argo.boundary.Boundary
+import argo.boundary.CompletionInbox
 import argo.boundary.Live
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
@@ -63,10 +64,13 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private val mailLive = { super.checkMail() }
     private val holdLive = { pausing.isHolding() }
     private val sleepLive = {
-        super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && waker.maySleep()
+        super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && pausing.maySleep() && waker.maySleep()
     }
     private val ordersLive = { hand.takeAll() }
-    private val carryOut = { order: Order -> hand.carryOut(order, ts) }
+    private val carryOut = { order: Order ->
+        hand.carryOut(order, ts)
+        if (order is Order.Reload) pausing.plansChanged()
+    }
 
     /** The agent's boards. Available from [init] on. */
     internal lateinit var boards: AgentBoards
@@ -77,6 +81,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** Takes the orders of a person to the agent. Available from [init] on. */
     internal lateinit var hand: Hand
+        private set
+
+    /** What observers have the agent do, in its next cycle or while it stands. Available from [init] on. */
+    internal lateinit var requests: CompletionInbox<() -> Unit>
         private set
 
     /** Reads the program anew. Available from [init] on. */
@@ -120,6 +128,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
         pausing = AgentPausing(refusalToPause(ts), ts, pauseWorld(options), log) { boundary.asking(it) }
         hand = Hand(log) { seen -> if (!pausing.meanwhile(::takeOrders)) waker.wake(seen) }
+        requests = CompletionInbox(::wakeForRequest)
         reloading = Reloading(ts, boards, hand, ::perceiveThrough)
         observed = ObservedArch(this, waker, platform)
         resuming = options.resume?.let { Resuming.open(this, it, platform, log) }
@@ -136,6 +145,14 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boards.stands(isStanding)
         if (isStanding) takeOrders()
     }
+
+    private fun wakeForRequest(seen: () -> Boolean) {
+        if (pausing.meanwhile(::takeOrders)) return
+        ts.runAtBeginOfNextCycle { doRequests() }
+        waker.wake(seen)
+    }
+
+    private fun doRequests() = requests.takeAll().forEach { it() }
 
     /** Returns true if Jason may take no event: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
@@ -168,9 +185,13 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boundary.orders(ordersLive, carryOut)
     }
 
-    /** Has an agent that stands between two cycles carry out the orders that have come: they begin its next cycle. For its thread. */
+    /**
+     * Has an agent that stands do what it was asked for meanwhile, on its thread. Orders and requests begin its next cycle. If it stands within
+     * a cycle, orders wait.
+     */
     private fun takeOrders() {
-        if (isBeginning && !hand.isEmpty()) beginCycle()
+        if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
+        doRequests()
     }
 
     /** Returns the percepts if boards, ports or the Jason environment have news since the last call; else null. */

@@ -22,7 +22,6 @@ import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import javino.link.SendOptions
 import javino.wire.BoardAction
-import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger
 
 /** The interface of [arch] for its observers. */
@@ -92,15 +91,10 @@ internal class ObservedArch(
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Has the agent's thread do [work] before its next cycle. */
-    private fun later(done: () -> Unit, work: () -> Unit) {
-        val isDone = AtomicBoolean()
-        arch.ts.runAtBeginOfNextCycle {
-            work()
-            isDone.set(true)
-            done()
-        }
-        waker.wake(isDone::get)
+    /** Has the agent's thread do [work] in its next cycle, or at once if it stands. */
+    private fun later(done: () -> Unit, work: () -> Unit) = arch.requests.put {
+        work()
+        done()
     }
 }
 

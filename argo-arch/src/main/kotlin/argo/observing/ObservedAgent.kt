@@ -80,15 +80,15 @@ interface ObservedAgent {
     /** Returns the critical rules of the active filter, in its order, each with the side that watches it. */
     fun criticalRules(): List<WatchedRule>
 
-    /** Makes the agent perceive through [filter] before its next cycle; null: through none. Then its thread calls [done]. */
+    /** Makes the agent perceive through [filter] in its next cycle, at once if it stands; null: through none. Then its thread calls [done]. */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
-    /** Makes the agent start or stop perceiving before its next cycle; then its thread calls [done]. */
+    /** Makes the agent start or stop perceiving in its next cycle, at once if it stands. Then its thread calls [done]. */
     fun perceive(open: Boolean, done: () -> Unit)
 
     /**
-     * Sends [command], a literal or a string in quotes, before the next cycle, like `argo.act(command)` in a plan. The thread that learns
-     * the outcome calls [done] once: with null, or with the reason why the command was not carried out.
+     * Sends [command], a literal or a string in quotes, in the next cycle, at once if the agent stands, like `argo.act(command)` in a plan. The
+     * thread that learns the outcome calls [done] once: with null, or with the reason why the command was not carried out.
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 

@@ -5,7 +5,7 @@ package argo.observing
  * agent.
  *
  * The boards of an agent that is to stand are made safe first: each perceived board gets the command of the option `argo_safe`. An agent
- * that stands perceives nothing, takes no mail and carries nothing out. The world does not stand: its boards are sensed, reflexes are sent,
+ * that stands perceives nothing, takes no mail and carries nothing out but what a person asks of an [ObservedAgent]. The world does not stand: its boards are sensed, reflexes are sent,
  * and the times of commands, `.wait` and `.at` run on. When the agent goes on, it perceives the newest snapshot of each board, and no
  * earlier one.
  */
@@ -15,24 +15,21 @@ interface Pausing {
 
     val state: PauseState
 
-    /** The breakpoints of all owners. */
-    val breakpoints: List<Breakpoint>
-
-    /** Has the agent stand before its next cycle. Does nothing if it stands. */
-    fun pause()
+    /** Has the agent stand before its next cycle, or stand on, for [owner] too: see [release]. Without an owner, nobody releases it. */
+    fun pause(owner: Any = this)
 
     /** Has the agent go on until a breakpoint, or until it is paused. */
     fun goOn()
 
     /**
-     * Has the agent go on until [stop], or until an earlier breakpoint.
+     * Has the agent go on until [stop], or until an earlier breakpoint. Then it stands for [owner], as after [pause].
      * @throws IllegalArgumentException if [stop] is about a plan that the agent does not have
      */
-    fun goOnUntil(stop: StopAt)
+    fun goOnUntil(stop: StopAt, owner: Any = this)
 
     /**
      * Replaces the breakpoints of [owner] in [file] by those at [lines]. The agent stands before it carries out the step at such a line, or
-     * when it has chosen the plan whose trigger is there.
+     * when it has chosen the plan whose trigger is there. After a reload, the lines are looked up in the new plans.
      *
      * @param owner the view or the debugger that sets them; any object
      * @param file the path of a program, or the last part of it
@@ -40,8 +37,11 @@ interface Pausing {
      */
     fun breakAt(owner: Any, file: String, lines: List<Int>): List<Breakpoint>
 
-    /** Removes all breakpoints of [owner]. */
-    fun removeBreakpoints(owner: Any)
+    /** Returns the breakpoints of [owner]. */
+    fun breakpoints(owner: Any): List<Breakpoint>
+
+    /** Forgets what [owner] has asked for, and its breakpoints. An agent that stands for [owner] only goes on. */
+    fun release(owner: Any)
 
     /** Calls [listener] with each new state, on the thread of the change, until the result is closed. [listener] must not wait. */
     fun follow(listener: (PauseState) -> Unit): AutoCloseable

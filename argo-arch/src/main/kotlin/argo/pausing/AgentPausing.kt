@@ -10,6 +10,7 @@ import argo.observing.PauseState
 import argo.observing.Pausing
 import argo.observing.SourceLine
 import argo.observing.StopAt
+import argo.platform.isSameFile
 import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.infra.local.LocalAgArchAsynchronous
@@ -54,7 +55,6 @@ internal class AgentPausing(
     private val changed = lock.newCondition()
     private val works = ArrayDeque<() -> Unit>() // for the thread of the standing agent; under the lock
     private var mayGoOn = true // under the lock
-    private var isTakingWork = false // under the lock
     private val owned = LinkedHashMap<Any, List<Breakpoint>>() // under the lock
     private val listeners = CopyOnWriteArrayList<(PauseState) -> Unit>()
 
@@ -63,12 +63,25 @@ internal class AgentPausing(
     private val isOff get() = refusal != null || isClosed
     private val isWatching get() = !isOff && (until != null || breaks.lines.isNotEmpty())
 
-    /** The reason why the agent is to stand before its next cycle; null: it is not. */
+    /** The reason why an agent stands, and those for whom it does, who are one or more. */
+    private data class Stand(val met: Met, val owners: Set<Any>) {
+        fun with(others: Set<Any>) = copy(owners = owners + others)
+        fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
+    }
+
+    private class Until(val stop: Stop, val owner: Any)
+
+    /** Why the agent is to stand before its next cycle; null: it is not. Written under the lock. */
     @Volatile
-    private var wanted: Met? = null
+    private var wanted: Stand? = null
+
+    /** Why the agent stands, so that it takes work; null: it does not. Under the lock. */
+    private var standing: Stand? = null
 
     @Volatile
-    private var until: Stop? = null
+    private var until: Until? = null // written under the lock
+
+    private var isInCycle = false // for the agent's thread
 
     private val breaks = Breakpoints()
     private var lastOption: Option? = null // for the agent's thread
@@ -77,31 +90,37 @@ internal class AgentPausing(
     override var state = PauseState(RUNNING, null, emptyList(), null, null, world.nanos())
         private set
 
-    override val breakpoints: List<Breakpoint> get() = lock.withLock { owned.values.flatten() }
+    override fun pause(owner: Any) {
+        if (isOff) return
+        lock.withLock {
+            val now = standing.takeUnless { mayGoOn }
+            if (now == null) want(Stand(PAUSED, setOf(owner))) else standing = now.with(setOf(owner))
+        }
+        if (wanted != null) world.wake { wanted == null }
+    }
 
-    override fun pause() {
-        if (isOff || state.phase != RUNNING) return
-        wanted = PAUSED
-        world.wake { wanted == null }
+    /** Has the agent stand for [next], and for those for whom it was to stand already. Under the lock. */
+    private fun want(next: Stand) {
+        wanted = next.with(wanted?.owners.orEmpty())
     }
 
     override fun goOn() = goOn(null, null)
 
-    override fun goOnUntil(stop: StopAt) {
+    override fun goOnUntil(stop: StopAt, owner: Any) {
         if (isOff) return
         if (stop == StopAt.NextCycle) {
-            goOn(null, Met("one cycle is over"))
+            goOn(null, Stand(Met("one cycle is over"), setOf(owner)))
             return world.wake { wanted == null }
         }
-        val next = stopOf(stop, ts)
+        val next = Until(stopOf(stop, ts), owner)
         val isStanding = meanwhile {
-            next.met(ts, null) // sees what is there before the agent goes on
+            next.stop.met(ts, null) // sees what is there before the agent goes on
             goOn(next, null)
         }
         if (!isStanding) goOn(next, null)
     }
 
-    private fun goOn(stop: Stop?, next: Met?) = lock.withLock {
+    private fun goOn(stop: Until?, next: Stand?) = lock.withLock {
         until = stop
         wanted = next
         mayGoOn = true
@@ -125,7 +144,31 @@ internal class AgentPausing(
         return Breakpoint(file, wanted, line, why)
     }
 
-    override fun removeBreakpoints(owner: Any) = lock.withLock { set(owner, emptyList()) }
+    override fun breakpoints(owner: Any) = lock.withLock { owned[owner].orEmpty() }
+
+    /** Looks up the breakpoints anew, since the agent's plans have changed. */
+    fun plansChanged(): Unit = lock.withLock {
+        if (owned.isEmpty()) return
+        val known = PlanLines(ts.ag)
+        for ((owner, its) in owned.toMap()) set(owner, its.map { found(it, breakpoint(known, it.file, it.wanted)) })
+    }
+
+    private fun found(before: Breakpoint, now: Breakpoint) = now.also {
+        if (now.line == before.line) return@also
+        val place = now.line?.let { "the breakpoint is at line $it now" } ?: "there is no breakpoint any more: ${now.refusal}"
+        log.info("${now.file}:${now.wanted}: the program has changed, and $place")
+    }
+
+    override fun release(owner: Any): Unit = lock.withLock {
+        set(owner, emptyList())
+        if (until?.owner == owner) until = null
+        wanted = wanted?.without(owner)
+        val now = standing ?: return
+        standing = now.without(owner) ?: now.also {
+            mayGoOn = true
+            changed.signalAll()
+        }
+    }
 
     private fun set(owner: Any, its: List<Breakpoint>) {
         if (its.isEmpty()) owned -= owner else owned[owner] = its
@@ -144,7 +187,7 @@ internal class AgentPausing(
      * call.
      */
     fun meanwhile(work: () -> Unit): Boolean = lock.withLock {
-        if (!isTakingWork) return false
+        if (standing == null) return false
         works += work
         changed.signalAll()
         true
@@ -152,43 +195,61 @@ internal class AgentPausing(
 
     /** Has the agent stand, if it is to stand before the cycle that begins now. Called by its thread. */
     fun cycleStarting() {
+        isInCycle = true
+        standIfWanted()
+    }
+
+    private fun standIfWanted() {
         if (wanted == null) return
-        val met = lock.withLock {
+        val begun = lock.withLock {
             wanted.takeIf { !isClosed }.also {
                 wanted = null
                 mayGoOn = it == null
-                isTakingWork = it != null
+                standing = it
             }
         }
-        met?.let(::stand)
+        begun?.let { stand(it.met) }
     }
+
+    /** Returns true if the agent need not begin a cycle to stand. In a world that stands still, it stands in no cycle of its own. */
+    fun maySleep(): Boolean = world.isStandingStill || wanted == null
 
     /**
      * Returns true if the agent is to carry out no intention in this cycle, since it is to stand before the next one. Called by the agent's
      * thread between the rules of its cycle.
      */
     fun isHolding(): Boolean {
-        if (!isWatching || !Insides.isBeforeIntention(ts)) return false
-        val met = met() ?: return false
-        wanted = met
-        if (world.isStandingStill) cycleStarting()
+        if (!isInCycle || !isWatching || !Insides.isBeforeIntention(ts) || !hasMet()) return false
+        if (world.isStandingStill) standIfWanted()
         return !world.isStandingStill
     }
 
     /** Called by the agent's thread at the end of each cycle. */
     fun cycleFinished() {
-        if (isWatching && wanted == null) wanted = met()
+        isInCycle = false
+        if (!isWatching || wanted != null || !hasMet()) return
+        if (world.isStandingStill) standIfWanted() else world.wake { wanted == null }
     }
 
-    private fun met(): Met? {
+    /** Returns true if the agent is to stand now, and notes for whom. */
+    private fun hasMet(): Boolean {
         val option = ts.c.selectedOption
         val chosen = option.takeIf { it !== lastOption }?.plan
         lastOption = option
-        return breaks.met(ts, chosen) ?: until?.met(ts, chosen)
+        val awaited = until
+        val broken = breaks.met(ts, chosen)
+        val met = broken ?: awaited?.stop?.met(ts, chosen) ?: return false
+        return lock.withLock {
+            val owners = broken?.place?.let(::ownersAt) ?: setOfNotNull(awaited?.owner.takeIf { until === awaited })
+            owners.isNotEmpty().also { if (it) want(Stand(met, owners)) }
+        }
     }
 
+    private fun ownersAt(place: SourceLine): Set<Any> =
+        owned.filterValues { its -> its.any { it.line == place.line && isSameFile(it.file, place.file) } }.keys
+
     private fun stand(met: Met) {
-        until = null
+        lock.withLock { until = null }
         world.standing(true)
         val boards = if (world.isStandingStill) listOf(STILL) else makeSafe(met)
         tell(STANDING, met, boards)
@@ -211,7 +272,7 @@ internal class AgentPausing(
     /** Waits for work of the standing agent; null: the agent goes on. */
     private fun nextWork(): (() -> Unit)? = lock.withLock {
         while (works.isEmpty() && !mayGoOn) changed.awaitUninterruptibly()
-        works.removeFirstOrNull().also { if (it == null) isTakingWork = false }
+        works.removeFirstOrNull().also { if (it == null) standing = null }
     }
 
     private fun carryOut(work: () -> Unit) = try {

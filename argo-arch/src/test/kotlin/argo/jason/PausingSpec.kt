@@ -128,7 +128,7 @@ class PausingSpec : FunSpec({
                 seen(board).contains(next) shouldBe false
                 pausing.standing { goOn() }.place?.line shouldBe 5
                 eventually(LIMIT) { seen(board) shouldContain next }
-                pausing.removeBreakpoints(pausing)
+                pausing.release(pausing)
                 pausing.goOn()
                 val before = seen(board).size
                 eventually(LIMIT) { seen(board).size shouldBeGreaterThan before + 3 }
@@ -166,6 +166,81 @@ class PausingSpec : FunSpec({
             outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
             observed.pausing.ask { "limit(60)[source(self)]" in observed.beliefs.map { "$it" } } shouldBe true
             observed.pausing.state.phase shouldBe PausePhase.STANDING
+        }
+    }
+
+    test("a command and a change of what is perceived are carried out while the agent stands") {
+        board().use { board ->
+            LocalMas().use { mas ->
+                mas.agent("bob", WATCHING)
+                eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
+                val observed = mas.observed("bob")
+                observed.pausing.standing { pause() }
+                val outcome = CompletableFuture<String>()
+                observed.act("stop") { outcome.complete("${it?.cause}") }
+                outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS) shouldBe "null"
+                board.received() shouldContain "stop"
+                val isDone = CompletableFuture<Unit>()
+                observed.perceiveThrough(null) { observed.perceive(open = false) { isDone.complete(Unit) } }
+                isDone.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS)
+                observed.isPerceiving shouldBe false
+                observed.pausing.state.phase shouldBe PausePhase.STANDING
+            }
+        }
+    }
+
+    test("a debugger that leaves has only an agent go on that stands for it and for nobody else") {
+        LocalMas().use { mas ->
+            mas.agent("bob", COUNTING)
+            val pausing = mas.observed("bob").pausing
+            val (one, other) = "one" to "other"
+            suspend fun runs() = eventually(LIMIT) { pausing.state.phase shouldBe PausePhase.RUNNING }
+            pausing.standing { pause() }
+            pausing.release(one)
+            pausing.ask { pausing.state.why } shouldBe "it was paused"
+            pausing.standing { goOnUntil(StopAt.NextCycle, one) }
+            pausing.pause(other)
+            pausing.release(one)
+            pausing.ask { pausing.state.why } shouldBe "one cycle is over"
+            pausing.release(other)
+            runs()
+            for (owner in listOf(one, other)) pausing.breakAt(owner, "bob.asl", listOf(4))
+            eventually(LIMIT) { pausing.state.phase shouldBe PausePhase.STANDING }
+            pausing.release(one)
+            pausing.ask { pausing.state.why } shouldBe "breakpoint"
+            pausing.breakpoints(other).map { it.line } shouldBe listOf(4)
+            pausing.release(other)
+            runs()
+            pausing.breakpoints(other).shouldBeEmpty()
+        }
+    }
+
+    test("an agent that is to stand does not fall asleep first, though it has nothing to do") {
+        LocalMas().use { mas ->
+            mas.agent("bob", "idle.")
+            val observed = mas.observed("bob")
+            val pausing = observed.pausing
+            pausing.standing { pause() }
+            val isGiven = CompletableFuture<Unit>()
+            pausing.goOnUntil(StopAt.Belief("limit(_)"))
+            pausing.standing { observed.order(Order.Believe("limit(60)")) { isGiven.complete(Unit) } }.why shouldBe
+                "it believes limit(60)[source(self)]"
+            repeat(20) { pausing.standing { goOnUntil(StopAt.NextCycle) }.why shouldBe "one cycle is over" }
+        }
+    }
+
+    test("breakpoints are looked up anew when a reload has changed the plans, which is told") {
+        LocalMas().use { mas ->
+            mas.agent("bob", COUNTING)
+            val observed = mas.observed("bob")
+            val pausing = observed.pausing
+            pausing.breakAt("it", "bob.asl", listOf(5, 9)).map { it.line } shouldBe listOf(5, null)
+            mas.file("bob.asl", COUNTING.replace("@counting", "\n\n\n\n@counting"))
+            val outcome = CompletableFuture<Outcome>()
+            observed.reload { outcome.complete(it) }
+            outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
+            eventually(LIMIT) { pausing.breakpoints("it").map { it.line } shouldBe listOf(7, 9) }
+            eventually(LIMIT) { mas.log shouldContainText "bob.asl:5: the program has changed, and the breakpoint is at line 7 now" }
         }
     }
 

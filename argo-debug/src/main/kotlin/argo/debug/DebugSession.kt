@@ -192,14 +192,14 @@ internal class DebugSession(private val agents: List<AgentThread>) : IDebugProto
     private fun step(number: Int, way: Way) = answer<Void?> {
         val thread = thread(number)
         val intention = thread.asking { thread.shown?.id }
-        thread.pausing.goOnUntil(if (intention == null) StopAt.NextCycle else StopAt.Step(intention, way))
+        thread.pausing.goOnUntil(if (intention == null) StopAt.NextCycle else StopAt.Step(intention, way), this)
         null
     }
 
     override fun pause(args: PauseArguments) = answer<Void?> {
         val thread = thread(args.threadId)
         thread.pausing.refusal?.let { throw DebugException(it) }
-        thread.pausing.pause()
+        thread.pausing.pause(this)
         null
     }
 
@@ -238,13 +238,10 @@ internal class DebugSession(private val agents: List<AgentThread>) : IDebugProto
         tell { it.thread(event("exited", thread)) }
     }
 
-    /** Ends the session: the agents forget its breakpoints and go on. Idempotent. */
+    /** Ends the session: the agents forget its breakpoints, and those that stand for it only go on. Idempotent. */
     fun end() {
         synchronized(followed) { followed.values.forEach(AutoCloseable::close) }
-        for (thread in agents) {
-            thread.pausing.removeBreakpoints(this)
-            thread.pausing.goOn()
-        }
+        agents.forEach { it.pausing.release(this) }
         telling.shutdown()
     }
 

@@ -118,6 +118,28 @@ class DebugSpec : FunSpec({
         }
     }
 
+    test("a debugger that only looks leaves an agent that another has paused") {
+        agent(file) { options("argo_debug" to "0") }.use { bob ->
+            val port = bob.log.first { "debuggers reach bob" in it }.substringAfter("port ").substringBefore(" ").toInt()
+            val isOver = CompletableFuture.runAsync {
+                Debugger(port).use { one ->
+                    one.configured()
+                    one.server.pause(PauseArguments().apply { threadId = 1 }).value()
+                    one.stop()
+                    Debugger(port).use {
+                        it.configured()
+                        it.stop()
+                        it.disconnect()
+                    }
+                    one.frames(1).single().name shouldBe "no intention"
+                    one.disconnect()
+                }
+            }
+            while (!isOver.isDone) bob.after(1.seconds)
+            isOver.get()
+        }
+    }
+
     test("whatever does not speak the protocol is refused, as a page in a browser is") {
         agent(file) { options("argo_debug" to "0") }.use { bob ->
             val port = bob.log.first { "debuggers reach bob" in it }.substringAfter("port ").substringBefore(" ").toInt()

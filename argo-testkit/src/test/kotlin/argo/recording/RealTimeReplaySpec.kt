@@ -12,6 +12,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
@@ -166,7 +167,12 @@ class RealTimeReplaySpec : FunSpec({
                     val question = ASSyntax.parseFormula("near(_) & .random(_)")
                     pausing.look { if (reasoning.ag.believes(question, Unifier())) asked.incrementAndGet() }
                     walker.order(Order.Believe("told(${asked.get()})")) { }
-                    if (asked.get() % 3 == 0) pausing.goOnUntil(StopAt.NextCycle) else pausing.goOn()
+                    walker.perceiveThrough(null) { }
+                    when (asked.get() % 3) {
+                        0 -> pausing.goOnUntil(StopAt.NextCycle)
+                        1 -> pausing.goOnUntil(StopAt.Belief("at(_)"))
+                        else -> pausing.goOn()
+                    }
                 }
             }.use {
                 pausing.breakAt(this, "walker.asl", listOf(3, 5))
@@ -175,6 +181,7 @@ class RealTimeReplaySpec : FunSpec({
             asked.get() shouldBeGreaterThan 10
         }
         Recording(file).use { recording -> recording.cycles("walker").count { it.input.isHeld } } shouldBeGreaterThan 10
+        Recording(file).use { recording -> recording.cycles("walker").count { it.isEnding } } shouldBeLessThan 2
         shouldReplay(file)
         val lines = ArrayList<Int?>()
         Recording(file).use { recording ->

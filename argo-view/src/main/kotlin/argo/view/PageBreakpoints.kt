@@ -5,9 +5,9 @@ import kotlinx.serialization.Serializable
 
 /** The breakpoints that the pages of [agent] have set. Safe for use by several threads. */
 internal class PageBreakpoints(private val agent: ObservedAgent) {
-    @Volatile
-    var all: List<BreakpointState> = emptyList()
-        private set
+    val all: List<BreakpointState>
+        get() = agent.pausing.breakpoints(this).mapNotNull { found -> found.line?.let { BreakpointState(found.file, it) } }
+            .distinct().sortedWith(compareBy({ it.file }, { it.line }))
 
     /** Sets a breakpoint at [line] of [file], or at a later line of its plan. Returns where the agent stops, or why it does not. */
     @Synchronized
@@ -29,8 +29,6 @@ internal class PageBreakpoints(private val agent: ObservedAgent) {
 
     private fun keep(file: String, lines: List<Int>) {
         agent.pausing.breakAt(this, file, lines)
-        val others = all.filter { it.file != file }
-        all = (others + lines.map { BreakpointState(file, it) }).sortedWith(compareBy({ it.file }, { it.line }))
     }
 }
 

@@ -106,13 +106,13 @@ private class Ordered : ObservedAgent by Nobody {
 internal class Pauses : Pausing {
     override var refusal: String? = null
     override val state = PauseState(PausePhase.RUNNING, null, emptyList(), null, null, 0)
-    override val breakpoints = emptyList<Breakpoint>()
     val asked = ArrayList<String>()
     val lines = HashMap<String, List<Int>>()
+    private val found = HashMap<String, List<Breakpoint>>()
 
-    override fun pause() { asked += "pause" }
+    override fun pause(owner: Any) { asked += "pause" }
     override fun goOn() { asked += "go on" }
-    override fun goOnUntil(stop: StopAt) {
+    override fun goOnUntil(stop: StopAt, owner: Any) {
         require(stop != StopAt.Belief("dist(")) { "dist( is no literal" }
         asked += "$stop"
     }
@@ -120,9 +120,10 @@ internal class Pauses : Pausing {
         this.lines[file] = lines
         return lines.map { line ->
             if (line > 90) Breakpoint(file, line, null, "no plan is there") else Breakpoint(file, line, if (line == 11) 12 else line, null)
-        }
+        }.also { found[file] = it }
     }
-    override fun removeBreakpoints(owner: Any) = Unit
+    override fun breakpoints(owner: Any) = found.values.flatten()
+    override fun release(owner: Any) = Unit
     override fun follow(listener: (PauseState) -> Unit) = AutoCloseable {}
     override fun look(look: () -> Unit) = false
 }
