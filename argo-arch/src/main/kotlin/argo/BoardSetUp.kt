@@ -19,12 +19,21 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
     private val boards get() = arch.boards
     private val ports get() = arch.boards.ports
 
-    /** Returns the calls that set the boards up as they are, without the prefix `argo.`. Called by the agent's thread. */
-    fun calls(): List<String> = buildList {
-        portsInUse()?.let(::add)
+    private var awaited: List<String>? = null // calls that are carried out when all ports are open; null: they have been
+
+    /**
+     * Returns the calls that set the boards up as they are, or will be when all ports are open, without the prefix `argo.`. Called by the
+     * agent's thread.
+     */
+    fun calls(): List<String> = awaited?.let { it + ofAgent() } ?: (listOfNotNull(portsInUse()) + ofAgent() + ofBoards())
+
+    private fun ofAgent(): List<String> = buildList {
         add("limit(${boards.intervalMs})")
         add("percepts(${if (boards.isPerceiving) "open" else "block"})")
         boards.filter?.let { add("change_filter(${nameOf(it)})") }
+    }
+
+    private fun ofBoards(): List<String> = buildList {
         for (board in boards.current) {
             board.ownIntervalMs?.let { add("limit($it,[port(${board.term})])") }
             if (board.hasOwnFilter) add("change_filter(${nameOf(board.filter)},[port(${board.term})])")
@@ -41,12 +50,17 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
      * second. If the agent chooses its ports itself meanwhile, [done] is called, too.
      */
     fun restore(calls: List<String>, done: () -> Unit) {
-        val (choice, settings) = calls.map(PerceptReader::read).partition { it.functor == PORTS }
+        val read = calls.associateWith(PerceptReader::read)
+        val (choice, settings) = read.values.partition { it.functor == PORTS }
         val (ofBoards, ofAgent) = settings.partition { it.arity > 1 }
-        later(ofAgent)
+        later { ofAgent.forEach(::carryOut) }
         val wanted = choice.lastOrNull()?.let(::portsIn) ?: return done()
+        awaited = read.filterValues { it !in ofAgent }.keys.toList()
         open(wanted, ::waits) {
-            later(ofBoards)
+            later {
+                ofBoards.forEach(::carryOut)
+                awaited = null
+            }
             done()
         }
     }
@@ -68,8 +82,8 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
         }
     }
 
-    /** Carries [calls] out in the agent's next cycle, so that a recording of it has the filters. */
-    private fun later(calls: List<Literal>) = arch.ts.runAtBeginOfNextCycle { calls.forEach(::carryOut) }
+    /** Sets boards up in the agent's next cycle, so that a recording of it has the filters. */
+    private fun later(setUp: () -> Unit) = arch.ts.runAtBeginOfNextCycle { setUp() }
 
     /** Carries [call] out as if a plan made it. */
     private fun carryOut(call: Literal) {

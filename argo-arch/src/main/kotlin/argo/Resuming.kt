@@ -7,6 +7,8 @@ import argo.mind.Mind
 import argo.observing.AgentObserver
 import argo.observing.Order
 import argo.observing.Outcome
+import argo.observing.PausePhase
+import argo.observing.PauseState
 import argo.platform.Platform
 import argo.resuming.Merged
 import argo.resuming.State
@@ -40,6 +42,7 @@ internal class Resuming(
 ) : AgentObserver {
     private val name = arch.agName
     private val setUp = BoardSetUp(arch, platform, ::warn)
+    private var awaited: List<String> = emptyList() // events that begin when all ports are open
     private var readable: Set<String> = emptySet() // texts that are read back to the same literals
     private val program = beginning()
     private val leftOut = HashSet<String>()
@@ -58,6 +61,10 @@ internal class Resuming(
     private var isStopped = false
     private var isLastMade = false
 
+    init {
+        arch.pausing.follow { if (it.phase == PausePhase.STANDING) keepWhile(it) }
+    }
+
     /** Returns what the program begins with. The events of its beliefs are not among it. */
     private fun beginning(): Mind = Mind.of(arch.ts, ::write) {}.run { copy(events = events.filter { it.startsWith("!") }) }
 
@@ -69,11 +76,15 @@ internal class Resuming(
         val awayMs = (wallMs() - state.writtenMs).coerceAtLeast(0)
         val merged = Merged(state, program)
         log.info("$name goes on from $file, which was written $awayMs ms ago${merged.told}")
-        order(Order.Resume(merged.beliefs + (listOf("$RESUMED$awayMs)") + merged.newBeliefs).map { "+$it" }), ::tell)
+        order(Order.Resume(merged.beliefs + (listOf("$RESUMED$awayMs)") + merged.newBeliefs).map { "+$it" })) { outcome ->
+            tell(outcome)
+            awaited = merged.events
+            isResumed = true
+        }
         setUp.restore(state.setUp) {
             order(Order.BeginAnew(merged.events)) { outcome ->
                 tell(outcome)
-                isResumed = true
+                awaited = emptyList()
             }
         }
     }
@@ -123,6 +134,14 @@ internal class Resuming(
         if (isStopped) ending.withLock { keep() }
     }
 
+    /** Keeps the state of the agent while it is [standing], since orders change it. */
+    private fun keepWhile(standing: PauseState) {
+        if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
+    }
+
+    /** Has the agent's thread make the state if the agent stands between two cycles; returns false if it does not. */
+    private fun keepStanding(): Boolean = !platform.standsStill && arch.pausing.look(::keep)
+
     /** Makes the agent's state, and has it written; nothing may change the agent meanwhile. */
     private fun keep() {
         if (isLastMade) return
@@ -138,22 +157,25 @@ internal class Resuming(
         val (beliefs, events) = mind
         return State(
             name, wallMs(), setUp.calls(), program,
-            Mind(beliefs.filterNot { it.startsWith(RESUMED) }, events.filterNot { it.startsWith("+$RESUMED") }),
+            Mind(beliefs.filterNot { it.startsWith(RESUMED) }, awaited + events.filterNot { it.startsWith("+$RESUMED") }),
         )
     }
 
-    /** Has the last state kept: after the present cycle, or now. */
-    override fun close() = ending.withLock {
-        val isFirst = !isStopped
-        isStopped = true
-        if (isFirst && !isInCycle) keep()
+    /** Has the last state kept: after the present cycle, or now; by its own thread if the agent stands. */
+    override fun close() {
+        ending.withLock {
+            if (isStopped) return
+            isStopped = true
+            if (isInCycle) keepStanding() else keep()
+        }
     }
 
     companion object {
         const val OPTION = "argo_resume"
 
         /** Beliefs in the file are five seconds old at most: a sleeping agent has a cycle each second. */
-        private val PERIOD_NANOS = TimeUnit.SECONDS.toNanos(4)
+        private const val PERIOD_MS = 4000L
+        private val PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(PERIOD_MS)
         private const val RESUMED = "resumed("
 
         /**

@@ -28,11 +28,11 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
          * Returns the mind of the agent of [ts]. Called by its thread.
          *
          * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason why there is none
-         * @param leftOut gets each belief or event without a text, with the reason
+         * @param leftOut gets each belief or event without a text of one line, with the reason
          */
         fun of(ts: TransitionSystem, write: (Literal) -> String, leftOut: (String) -> Unit): Mind {
             fun text(literal: Literal): String? = try {
-                write(literal)
+                write(literal).also { require(it.none(LINE_BREAKS::contains)) { "a name in it has a line break" } }
             } catch (refused: IllegalArgumentException) {
                 leftOut("$literal: ${refused.message}")
                 null
@@ -99,6 +99,9 @@ fun beginAnew(ts: TransitionSystem, event: String, literal: Literal) {
     if (event.startsWith("!")) ts.c.addAchvGoal(literal, Intention.EmptyInt)
     else ts.c.addEvent(Event(Trigger(TEOperator.add, TEType.belief, literal), Intention.EmptyInt))
 }
+
+/** Jason lets an atom in quotes have them; each belief and each event of [Mind.program] has a line. */
+private const val LINE_BREAKS = "\n\r"
 
 /** Jason's way of saying that a belief goes behind those with the same functor, so that all keep their order. */
 private const val AT_END = 1

@@ -32,6 +32,27 @@ class MergedSpec : FunSpec({
         }
     }
 
+    test("a belief that the agent has changed, and the program states otherwise now, is as the program states it, which is told") {
+        merged(
+            kept = Mind(listOf("value(60)[source(self)]"), emptyList()),
+            then = Mind(listOf("value(40)[source(self)]"), emptyList()),
+            now = Mind(listOf("value(55)[source(self)]"), emptyList()),
+        ).run {
+            beliefs shouldBe emptyList()
+            newBeliefs shouldBe listOf("value(55)[source(self)]")
+            told shouldBe "; by the changed program not believed any more: value(60)[source(self)]; by the changed program believed in " +
+                "addition: value(55)[source(self)]"
+        }
+    }
+
+    test("a belief of another source, and several beliefs of a predicate, stay beside what the program states now") {
+        fun stays(kept: List<String>) = merged(Mind(kept, emptyList()), Mind(listOf("v(1)"), emptyList()), Mind(listOf("v(2)"), emptyList()))
+            .run { beliefs + newBeliefs } shouldBe kept + "v(2)"
+        stays(listOf("v(3)[source(boss)]"))
+        stays(listOf("v(3)", "v(4)"))
+        stays(listOf("~v(3)"))
+    }
+
     test("what the agent has come to itself is not doubled") {
         merged(
             kept = Mind(listOf("limit(30)"), listOf("!watch")),

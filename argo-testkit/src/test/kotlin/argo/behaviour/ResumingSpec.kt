@@ -85,6 +85,24 @@ class ResumingSpec : FunSpec({
         }
     }
 
+    test("what it believes while it waits for a board is kept, and so are its goals and its boards") {
+        val state = stateFile()
+        kept(state, guard) { after(1.seconds) }
+        fun settings() = state.readText().lines().filter { it.startsWith("argo.") && "written" !in it }.sorted()
+        val before = settings()
+        robot(state, guard, { board("ttyACM0").disconnects() }).use { robot ->
+            robot.after(1.seconds).hears("boss", "tell", "order(tea)").after(5.seconds)
+            state.readText().lines() shouldContain "order(tea)[source(boss)]."
+            state.readText() shouldContain "!patrol(north)[source(self)]."
+            robot.stops()
+        }
+        settings() shouldBe before
+        robot(state, guard).use { robot ->
+            robot.shouldBelieve("resumed(_) & order(tea)[source(boss)]").shouldSend("go(10)", 10.seconds)
+            robot.shouldIntend("patrol(north)", 0.seconds)
+        }
+    }
+
     test("its goals begin also if it chooses its port itself, because the one that it had is not there") {
         val state = stateFile()
         val program = "$guard\n+port(ttyACM0,off) <- argo.port(spare, [boot(0)])."
@@ -206,6 +224,16 @@ class ResumingSpec : FunSpec({
         }
         state.readText().lines() shouldContain "r(1)[source(self)]."
         state.readText().lines().filter { it.startsWith("q(") }.shouldBeEmpty()
+    }
+
+    test("a name with a line break is left out, which is told once, and the agent goes on from all else") {
+        val state = stateFile()
+        kept(state, "r(1). !start. +!start <- +note('a\nb'); +note('c\rd'); .wait(100000). +!go('x\ny') <- .wait(100000).") {
+            hears("boss", "achieve", "go('x\ny')").after(20.seconds)
+            log.count { "robot.state does not keep note('a" in it } shouldBe 1
+        }
+        state.readText().lines().filter { it.startsWith("note") || it.startsWith("!go") }.shouldBeEmpty()
+        robot(state, "r(2). +!start <- +begun.").use { it.shouldBelieve("resumed(_) & r(2) & begun").shouldNotBelieve("note(_)", 0.seconds) }
     }
 
     test("the state of an agent that runs on is five seconds old at most") {
