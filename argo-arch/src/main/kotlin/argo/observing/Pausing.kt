@@ -5,9 +5,9 @@ package argo.observing
  * agent.
  *
  * The boards of an agent that is to stand are made safe first: each perceived board gets the command of the option `argo_safe`. An agent
- * that stands perceives nothing, takes no mail and carries nothing out but what a person asks of an [ObservedAgent]. The world does not stand: its boards are sensed, reflexes are sent,
- * and the times of commands, `.wait` and `.at` run on. When the agent goes on, it perceives the newest snapshot of each board, and no
- * earlier one.
+ * that stands perceives nothing, takes no mail and carries nothing out but what a person asks of an [ObservedAgent]. The world does not
+ * stand: its boards are sensed, reflexes are sent, and the times of commands, `.wait` and `.at` run on. When the agent goes on, it
+ * perceives the newest snapshot of each board, and no earlier one.
  */
 interface Pausing {
     /** The reason why the agent cannot stand, in words; null: it can. If it cannot, the functions do nothing. */

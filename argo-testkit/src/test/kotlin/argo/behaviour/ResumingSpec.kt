@@ -233,7 +233,9 @@ class ResumingSpec : FunSpec({
             log.count { "robot.state does not keep note('a" in it } shouldBe 1
         }
         state.readText().lines().filter { it.startsWith("note") || it.startsWith("!go") }.shouldBeEmpty()
-        robot(state, "r(2). +!start <- +begun.").use { it.shouldBelieve("resumed(_) & r(2) & begun").shouldNotBelieve("note(_)", 0.seconds) }
+        robot(state, "r(2). +!start <- +begun.").use {
+            it.shouldBelieve("resumed(_) & r(2) & begun").shouldNotBelieve("note(_)", 0.seconds)
+        }
     }
 
     test("the state of an agent that runs on is five seconds old at most") {
