@@ -223,7 +223,7 @@ class MigrationSpec : FunSpec({
         KnownOption.OF_ACT.keys shouldBe options("acting/CommandOptions.kt")
         ArgoActions.ERRORS shouldBe Regex("^\\| `(\\w+)`", RegexOption.MULTILINE).findAll(Path.of("../docs/errors.md").readText())
             .map { it.groupValues[1] }.toSet()
-        val architecture = listOf("ArchOptions.kt", "Resuming.kt", "perception/PerceptLimit.kt")
+        val architecture = listOf("ArchOptions.kt", "Resuming.kt", "perception/PerceptLimit.kt", "watching/ProgramWatchProvider.kt")
             .joinToString { sources.resolve(it).readText() }
         val archOptions = Regex("\"(argo_[a-z]+)\"").findAll(architecture).map { it.groupValues[1] }.toSet()
         KnownOption.OF_ARCH.keys - KnownOption.OF_FLEET shouldBe archOptions
