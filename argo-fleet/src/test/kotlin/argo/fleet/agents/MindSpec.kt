@@ -59,14 +59,6 @@ class MindSpec : FunSpec({
         told.size shouldBe 1
     }
 
-    test("a name with a line break is left out, which is told, also beside a variable") {
-        val told = ArrayList<String>()
-        val mind = mindOf(agent("note('a\nb'). !see('c\nd',X). +!see(_,_).")) { told += it }
-        mind shouldBe Mind(emptyList(), emptyList())
-        told.size shouldBe 2
-        told.all { it.endsWith("a name in it has a line break") } shouldBe true
-    }
-
     test("an agent goes on with another's mind, and with nothing that its program begins with") {
         val agent = agent("first. last(1). near(X) :- kept(X). !begin. +!begin <- +begun. +!go(X) : near(Y) <- +went(X,Y).")
         restore(agent, "kept(\"x. y\")[source(bob)].\n!go(7).", agent.logger)
