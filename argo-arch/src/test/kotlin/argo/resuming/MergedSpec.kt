@@ -48,7 +48,7 @@ class MergedSpec : FunSpec({
     test("a belief of another source, and several beliefs of a predicate, stay beside what the program states now") {
         fun stays(kept: List<String>) =
             merged(Mind(kept, emptyList()), Mind(listOf("v(1)"), emptyList()), Mind(listOf("v(2)"), emptyList()))
-            .run { beliefs + newBeliefs } shouldBe kept + "v(2)"
+                .run { beliefs + newBeliefs } shouldBe kept + "v(2)"
         stays(listOf("v(3)[source(boss)]"))
         stays(listOf("v(3)", "v(4)"))
         stays(listOf("~v(3)"))

@@ -111,8 +111,8 @@ class FrontDoorSpec : FunSpec({
         test("./argo $line is refused before anything is built, with exit status 2") {
             val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
             said shouldStartWith
-                "./argo: bench takes one of latency, filters, realtime, stops, boards, bounds, faults, soak, tls, ros, explore, record, reload" +
-                " and fleet, not: "
+                "./argo: bench takes one of latency, filters, realtime, stops, boards, bounds, faults, soak, tls, ros, explore, record," +
+                " reload and fleet, not: "
             said shouldContain line.removePrefix("bench").trim().ifEmpty { "nothing" }
             status shouldBe 2
         }
