@@ -5,7 +5,6 @@ import argo.calls.Failure
 import argo.hand.Offer
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Term
-import java.util.logging.Logger
 
 /**
  * The internal action `argo.reload`: reads the agent's program and its active filters anew, while the agent runs. Plans and rules that have
@@ -28,8 +27,7 @@ open class reload : BoardInternalAction("argo.reload", 0..1) {
         val takes = call.args.getOrNull(0)?.let(::offersIn).orEmpty()
         val outcome = call.suspendIntention()
         arch.reloading.start(takes) {
-            val log = Logger.getLogger("${Arch::class.java.name}.${arch.agName}")
-            it.told.forEach(log::info)
+            it.told.forEach(arch.boards.log::info)
             outcome(it.refusal?.let { why -> Failure("bad_program", why) }, null)
         }
     }

@@ -2,6 +2,7 @@ package argo.hand
 
 import jason.asSemantics.Agent
 import jason.runtime.SourcePath
+import java.io.File
 import java.io.FileNotFoundException
 import java.io.IOException
 import java.net.MalformedURLException
@@ -23,6 +24,13 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
          * @throws IOException if it cannot be read
          */
         fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
+
+        /** Returns Jason's name of the program at [address]: its URL, or the name of its file. */
+        fun nameOf(address: String): String = try {
+            "${URL(address)}"
+        } catch (_: MalformedURLException) {
+            File(address).name
+        }
 
         /**
          * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.

@@ -9,10 +9,7 @@ import jason.asSemantics.Agent
 import jason.asSyntax.Literal
 import jason.asSyntax.Plan
 import jason.asSyntax.directives.NameSpace
-import java.io.File
 import java.io.IOException
-import java.net.MalformedURLException
-import java.net.URL
 import java.nio.charset.Charset
 import java.nio.file.Path
 import java.util.Collections
@@ -97,7 +94,7 @@ internal class ProgramText private constructor(
                 source.path?.let(looksAt)
                 files += it
             }
-            val main = add("", "", nameOf(address), mainAt(address))
+            val main = add("", "", ProgramSource.nameOf(address), mainAt(address))
             val number = Overlaps.begin()
             val (draft, parts) = try {
                 Drafting { within, name -> included(within, name, looksAt).let { add(within, name, it.address, it) } }.read(main)
@@ -133,13 +130,6 @@ internal class ProgramText private constructor(
             ProgramSource.included(name, outer, KeptInclude.sourcePath)?.let { return it }
             ProgramSource.placesOf(name, outer, KeptInclude.sourcePath).forEach(looksAt)
             throw OrderRefusedException("the included file $name is not found")
-        }
-
-        /** Returns Jason's name of the program at [address]: its URL, or the name of its file. */
-        fun nameOf(address: String): String = try {
-            "${URL(address)}"
-        } catch (_: MalformedURLException) {
-            File(address).name
         }
 
         private fun refuseLocalNames(program: ProgramText) {

@@ -46,7 +46,7 @@ internal class Reloading(
     private var looked: List<Path> = emptyList()
 
     private fun atBeginning(): Known {
-        agent.aslSrc?.let { Plans.of(agent).all.fileless(ProgramText.nameOf(it), it) }
+        agent.aslSrc?.let { Plans.of(agent).all.fileless(ProgramSource.nameOf(it), it) }
         return Known(
             Plans.of(agent).all.mapTo(HashSet()) { it.sourceFile } + agent.bb.filter { it.isRule }.mapNotNull { it.srcInfo?.srcFile } -
                 KQML_FILE - File(Config.get().kqmlPlansFile).name,

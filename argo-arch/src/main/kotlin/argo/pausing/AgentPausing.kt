@@ -11,6 +11,7 @@ import argo.observing.Pausing
 import argo.observing.SourceLine
 import argo.observing.StopAt
 import argo.platform.isSameFile
+import jason.architecture.AgArch
 import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.infra.local.LocalAgArchAsynchronous
@@ -299,8 +300,8 @@ internal class AgentPausing(
     }
 }
 
-/** Returns why the agent of [ts] cannot stand, in words; null: it can. */
-internal fun refusalToPause(ts: TransitionSystem): String? =
-    if (generateSequence(ts.agArch) { it.nextAgArch }.none { it is LocalAgArchAsynchronous }) null
+/** Returns why the agent with these [architectures] cannot stand, in words; null: it can. */
+internal fun refusalToPause(architectures: Sequence<AgArch>): String? =
+    if (architectures.none { it is LocalAgArchAsynchronous }) null
     else "the agent has a thread each for sensing, deliberating and acting, which cannot stand together; leave out \"asynchronous\" in " +
         "the .mas2j"

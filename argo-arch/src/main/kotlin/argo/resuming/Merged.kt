@@ -5,9 +5,8 @@ import argo.mind.Mind
 
 /**
  * A kept state for an agent whose program may have changed since then. Beliefs that the program began with then, and does not begin with
- * now, are not resumed; beliefs and goals that it begins with only now come in addition. If the program
- * had one belief of a predicate with the same sources then, and has another one now, this takes the place of the agent's only one, also if
- * the agent has changed it.
+ * now, are not resumed; beliefs and goals that it begins with only now come in addition. If the program had one belief of a predicate with
+ * the same sources then, and has another one now, this takes the place of the agent's only one, also if the agent has changed it.
  *
  * @param program what the program begins with now
  */

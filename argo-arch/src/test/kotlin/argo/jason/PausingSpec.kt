@@ -1,5 +1,6 @@
 package argo.jason
 
+import argo.architectures
 import argo.observing.Order
 import argo.observing.Outcome
 import argo.observing.PausePhase
@@ -260,7 +261,7 @@ class PausingSpec : FunSpec({
 
     test("an agent of three threads cannot stand, which is told") {
         val ts = TransitionSystem(Agent(), null, Settings(), LocalAgArchAsynchronous())
-        val refusal = refusalToPause(ts)
+        val refusal = refusalToPause(architectures(ts))
         refusal.orEmpty() shouldContainText "the agent has a thread each for sensing, deliberating and acting"
         val world = PauseWorld({ 0 }, { null }, { }, { }, isStandingStill = false)
         AgentPausing(refusal, ts, world, Logger.getLogger("argo.test")) { it() }.run {

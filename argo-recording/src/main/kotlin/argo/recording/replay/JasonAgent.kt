@@ -2,6 +2,7 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.hand.ProgramSource
 import argo.hand.unreadableAt
 import argo.insides.Insides
 import argo.insides.KeptInclude
@@ -22,9 +23,6 @@ import jason.util.Config
 import javino.LineClock
 import javino.NoSuchPortException
 import javino.link.LinkSettings
-import java.io.File
-import java.net.MalformedURLException
-import java.net.URL
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -76,16 +74,9 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
 /** Reads the program in the file [source]. Jason's annotations and errors then name [address] as its place; null: [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
-    Files.newInputStream(source).use { parseAS(it, shown(address)) }
+    Files.newInputStream(source).use { parseAS(it, ProgramSource.nameOf(address)) }
     loadInitialAS(null) // does the rest
     aslSrc = address
-}
-
-/** Returns Jason's name of a program at [address]: the URL, or the name of a file. */
-private fun shown(address: String) = try {
-    "${URL(address)}"
-} catch (_: MalformedURLException) {
-    File(address).name
 }
 
 /** Makes Jason forget its selections, as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
