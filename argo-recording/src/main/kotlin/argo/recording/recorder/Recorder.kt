@@ -30,6 +30,7 @@ import argo.recording.agent.CourseWatch
 import argo.recording.agent.JasonCode
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
+import argo.recording.agent.ProgramNames
 import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
 import argo.recording.agent.WatchedCode
@@ -239,7 +240,7 @@ internal class Recorder(
     }
 
     private fun reloaded(agent: Running, order: Order.Reload) {
-        order.files.firstNotNullOfOrNull { foreignDirective(it.text) }?.let { agent.now.refuse(it, isOfProject = false) }
+        order.files.firstNotNullOfOrNull { foreignDirective(ProgramNames(it.text)) }?.let { agent.now.refuse(it, isOfProject = false) }
         agent.code.included()
         noteUnknownCode(agent)
         agent.course.forgetPlaces()

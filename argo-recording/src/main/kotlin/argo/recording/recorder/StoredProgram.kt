@@ -36,7 +36,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     private fun findIncluded(source: ProgramSource, outer: String?, all: MutableList<Inclusion>, seen: MutableSet<String>) {
         val names = ProgramNames(source.text)
-        foreignDirective(source.text)?.let { throw IOException(it) }
+        foreignDirective(names)?.let { throw IOException(it) }
         for (included in names.includes) {
             val within = outer.takeUnless { included.isInBlock }
             val file = ProgramSource.included(included.name, within, KeptInclude.sourcePath)
@@ -74,9 +74,9 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns the reason why no replay can read the program [text], namely that the project's code reads a directive; null: none. */
-internal fun foreignDirective(text: String): String? =
-    (ProgramNames(text).directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
+/** Returns the reason why no replay can read the program with [names], namely that the project's code reads a directive; null: none. */
+internal fun foreignDirective(names: ProgramNames): String? =
+    (names.directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
         val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
         type?.let { "the project's class ${it.name} reads its directive $directive" }
     }

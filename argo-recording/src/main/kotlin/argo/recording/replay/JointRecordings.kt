@@ -18,17 +18,24 @@ class JointRecordings(private val recordings: List<Recording>) {
      */
     class Sending(val recording: Int, val agent: String, val cycle: Cycle, val mail: Mail)
 
-    private val sent: Map<Pair<String, String>, List<Sending>> = recordings.flatMapIndexed { place, recording ->
-        recording.agents.keys.flatMap { agent -> recording.cycles(agent).flatMap { sendings(place, agent, it) } }
-    }.groupBy { it.agent to it.mail.id }
+    private class Telling(val place: Int, val agent: String, val cycle: Cycle)
+
+    /** The cycles in which agents sent or took messages. */
+    private val telling: List<Telling> = recordings.flatMapIndexed { place, recording ->
+        recording.agents.keys.flatMap { agent ->
+            recording.cycles(agent).filter { it.course.mail.isNotEmpty() || it.input.mail.isNotEmpty() }.map { Telling(place, agent, it) }
+        }
+    }
+
+    private val sent: Map<Pair<String, String>, List<Sending>> = telling.flatMap(::sendings).groupBy { it.agent to it.mail.id }
 
     private val differences: Map<Pair<Int, Int>, List<Long>> by lazy { messageTimes() }
 
     /** For each recording, the difference of its clock from the first recording's clock; null: no messages connect the two. */
     val differencesOfClocks: List<ClockDifference?> by lazy { ofAll() }
 
-    private fun sendings(place: Int, agent: String, cycle: Cycle) =
-        cycle.course.mail.filter { it.failure == null }.map { Sending(place, agent, cycle, it) }
+    private fun sendings(one: Telling) =
+        one.cycle.course.mail.filter { it.failure == null }.map { Sending(one.place, one.agent, one.cycle, it) }
 
     /** Returns the sending of [mail], which the agent [receiver] of the recording at [place] has taken; null: not recorded. */
     fun sending(place: Int, receiver: String, mail: Mail): Sending? {
@@ -39,13 +46,9 @@ class JointRecordings(private val recordings: List<Recording>) {
     }
 
     /** Returns, for each pair of recordings, the receiver's time of each message less the sender's, in ns. */
-    private fun messageTimes(): Map<Pair<Int, Int>, List<Long>> = recordings.flatMapIndexed { place, recording ->
-        recording.agents.keys.flatMap { agent ->
-            recording.cycles(agent).flatMap { cycle ->
-                cycle.input.mail.mapNotNull { sending(place, agent, it) }.filter { it.recording != place }
-                    .map { (it.recording to place) to cycle.ns - it.cycle.ns }
-            }
-        }
+    private fun messageTimes(): Map<Pair<Int, Int>, List<Long>> = telling.flatMap { one ->
+        one.cycle.input.mail.mapNotNull { sending(one.place, one.agent, it) }.filter { it.recording != one.place }
+            .map { (it.recording to one.place) to one.cycle.ns - it.cycle.ns }
     }.groupBy({ it.first }, { it.second })
 
     private fun ofAll(): List<ClockDifference?> {
