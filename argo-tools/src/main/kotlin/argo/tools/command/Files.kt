@@ -54,6 +54,10 @@ fun requireFile(file: Path) {
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")
 }
 
+/** Returns what [work] makes of all that [open] opens of [files], in their order, behind what is [opened]. Closes them. */
+fun <T : AutoCloseable, R> withAll(files: List<Path>, open: (Path) -> T, opened: List<T> = emptyList(), work: (List<T>) -> R): R =
+    if (files.isEmpty()) work(opened) else open(files.first()).use { withAll(files.drop(1), open, opened + it, work) }
+
 /** Returns the files below [folder] with one of these [extensions], sorted, without hidden files and outputs of builds. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()

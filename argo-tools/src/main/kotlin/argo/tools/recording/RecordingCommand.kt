@@ -10,6 +10,7 @@ import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.secondsIn
+import argo.tools.command.withAll
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
@@ -55,12 +56,8 @@ internal class RecordingCommand : DataCommand() {
         if (!wantsMessages && (topics != null || from != null || until != null)) misuse("--topic, --from and --until go with --messages")
         if (inside != null && files.size > 1) misuse("--file goes with one recording, not with ${files.size}")
         files.forEach(::requireFile)
-        return withAll(files, emptyMap(), ::show)
+        return withAll(files, { McapReader(it) }) { show(files.zip(it).toMap()) }
     }
-
-    /** Does [work] with the recordings that are [open] and those in [left]. */
-    private fun withAll(left: List<Path>, open: Map<Path, McapReader>, work: (Map<Path, McapReader>) -> Int): Int =
-        if (left.isEmpty()) work(open) else McapReader(left.first()).use { withAll(left.drop(1), open + (left.first() to it), work) }
 
     private fun show(recordings: Map<Path, McapReader>): Int {
         if (wantsMessages) printMessages(JointMessages(recordings), recordings) else recordings.forEach(::printContents)

@@ -12,7 +12,6 @@ import java.net.URLEncoder
 import java.net.http.HttpClient
 import java.net.http.HttpRequest
 import java.net.http.HttpRequest.BodyPublishers
-import java.net.http.HttpResponse
 import java.net.http.HttpResponse.BodyHandlers
 import java.time.Duration
 
@@ -27,8 +26,7 @@ internal class RunningViews(private val port: Int) {
      *
      * @throws ToolException if no live view responds
      */
-    fun agents(): List<String> = read { client.send(request("agents").build(), BodyHandlers.ofString()) }
-        .getValue("agents").jsonArray.map { it.jsonPrimitive.content }
+    fun agents(): List<String> = answer(request("agents")).second.getValue("agents").jsonArray.map { it.jsonPrimitive.content }
 
     /**
      * Has [agent] read its program and filters anew.
@@ -37,19 +35,16 @@ internal class RunningViews(private val port: Int) {
      */
     fun reload(agent: String): Reloading {
         val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20") + "/reload"
-        var isDone = false
-        val answer = read {
-            val request = request(path).header("Content-Type", "application/json").POST(BodyPublishers.ofString("{}"))
-            client.send(request.build(), BodyHandlers.ofString()).also { isDone = it.statusCode() == DONE }
-        }
-        return Reloading(isDone, answer.getValue("message").jsonPrimitive.content)
+        val (status, answer) = answer(request(path).header("Content-Type", "application/json").POST(BodyPublishers.ofString("{}")))
+        return Reloading(status == DONE, answer.getValue("message").jsonPrimitive.content)
     }
 
     private fun request(path: String) = HttpRequest.newBuilder(address.resolve("/$path")).timeout(LIMIT)
 
-    private fun read(respond: () -> HttpResponse<String>): JsonObject {
+    /** Returns the status and the content of the answer to [request]. */
+    private fun answer(request: HttpRequest.Builder): Pair<Int, JsonObject> {
         val response = try {
-            respond()
+            client.send(request.build(), BodyHandlers.ofString())
         } catch (trouble: IOException) {
             throw ToolException(
                 "no live view responds at $address (${trouble.message ?: trouble.javaClass.simpleName}): does the program run, with " +
@@ -57,7 +52,7 @@ internal class RunningViews(private val port: Int) {
             )
         }
         return try {
-            Json.decodeFromString<JsonObject>(response.body())
+            response.statusCode() to Json.decodeFromString<JsonObject>(response.body())
         } catch (_: SerializationException) {
             throw ToolException("$address is no live view of this version of ARGO; --view PORT names another port")
         }

@@ -11,6 +11,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.printable
 import argo.tools.command.requireFile
+import argo.tools.command.withAll
 import argo.tools.replay.JasonCommand
 import kotlinx.serialization.json.Json
 import picocli.CommandLine.Command
@@ -52,18 +53,12 @@ internal class WhyCommand : JasonCommand() {
         if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
         files.forEach(::requireRecording)
         if (!runsHere) return runElsewhere(*operands.toTypedArray())
-        return withAll(files, emptyMap()) { recordings -> tell(recordings, asked) }
+        return withAll(files, { Recording(it) }) { recordings -> tell(files.map { "$it" }.zip(recordings).toMap(), asked) }
     }
 
     private fun requireRecording(file: Path) {
         requireFile(file)
         if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
-    }
-
-    /** Does [work] with the recordings that are [open] and those in [files], by their names. */
-    private fun withAll(files: List<Path>, open: Map<String, Recording>, work: (Map<String, Recording>) -> Int): Int {
-        val file = files.firstOrNull() ?: return work(open)
-        return Recording(file).use { withAll(files.drop(1), open + ("$file" to it), work) }
     }
 
     private fun tell(recordings: Map<String, Recording>, asked: Question): Int {

@@ -9,6 +9,7 @@ import argo.tools.command.ToolException
 import argo.tools.command.ToolProvider
 import argo.tools.command.requireFile
 import argo.tools.command.requireWithin
+import argo.tools.command.withAll
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
@@ -33,7 +34,7 @@ internal class ViewCommand : ToolCommand() {
     override fun call(): Int {
         spec.requireWithin("--port", port, 0..MAX_PORT)
         files.forEach(::requireFile)
-        val (timeline, problems) = withAll(files, emptyList(), ::read)
+        val (timeline, problems) = withAll(files, { Recording(it) }, work = ::read)
         problems.forEach(err::println)
         val server = try {
             TimelineServer(timeline, files, problems, port)
@@ -47,10 +48,6 @@ internal class ViewCommand : ToolCommand() {
             if (problems.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
         }
     }
-
-    /** Does [work] with the recordings that are [open] and then those in [left]. */
-    private fun <T> withAll(left: List<Path>, open: List<Recording>, work: (List<Recording>) -> T): T =
-        if (left.isEmpty()) work(open) else Recording(left.first()).use { withAll(left.drop(1), open + it, work) }
 
     private fun read(recordings: List<Recording>): Pair<Timeline, List<String>> = try {
         val ahead = if (recordings.size == 1) listOf(ClockDifference.NONE) else JointRecordings(recordings).differencesOfClocks
