@@ -3,7 +3,6 @@ package argo.debug
 import argo.observing.ObservedAgent
 import argo.observing.PausePhase
 import argo.observing.PauseState
-import jason.asSemantics.IntendedMeans
 import jason.asSemantics.Intention
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
@@ -12,16 +11,17 @@ import java.util.concurrent.TimeUnit
 internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     val pausing get() = agent.pausing
 
-    /** The number of the intention that a debugger shows; null: the agent has none. Only in [asking]. */
+    /** The agent's intentions, running and suspended ones. Only in [asking]. */
+    val intentions: List<Intention>
+        get() = agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
+
+    /** The intention that a debugger shows; null: the agent has none. Only in [asking]. */
     val shown: Intention?
         get() {
-            val all = agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
+            val all = intentions
             val first = pausing.state.intention ?: agent.circumstance.runningIntentions.firstOrNull()?.id
             return all.find { it.id == first } ?: all.firstOrNull()
         }
-
-    /** Returns the plans of [intention], the latest first. Only in [asking]. */
-    fun plans(intention: Intention): List<IntendedMeans> = intention.toList()
 
     /**
      * Returns what [ask] returns, which the agent's thread calls.

@@ -39,7 +39,7 @@ internal class Frames(private val pathOf: (name: String) -> String?) {
     /** Returns the frames of [thread], the latest plan first. For the agent's thread. */
     fun of(thread: AgentThread): List<StackFrame> {
         val intention = thread.shown ?: return listOf(frame(Frame(thread, null), "no intention"))
-        return thread.plans(intention).map { means -> frame(Frame(thread, means), described(means)).at(means) }
+        return intention.map { means -> frame(Frame(thread, means), described(means)).at(means) }
     }
 
     private fun frame(frame: Frame, title: String) = StackFrame().apply {
@@ -89,8 +89,7 @@ internal class Frames(private val pathOf: (name: String) -> String?) {
         variable("${belief.copy().apply { clearAnnots() }}", if (belief.hasAnnot()) "${belief.annots}" else "")
 
     private fun intentionsOf(thread: AgentThread) =
-        thread.agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
-            .map { variable("${it.id}", "${it.joinToString(" for ", transform = ::described)}${stateOf(it)}") }.limited()
+        thread.intentions.map { variable("${it.id}", "${it.joinToString(" for ", transform = ::described)}${stateOf(it)}") }.limited()
 
     private fun stateOf(intention: Intention) = if (intention.isSuspended) ", waits for ${intention.suspendedReason}" else ""
 
