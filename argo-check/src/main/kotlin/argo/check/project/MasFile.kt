@@ -56,7 +56,7 @@ class MasAgent(
 class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val environment: Token? = after("environment").firstOrNull()
 
-    val infrastructure: Token? = after("infrastructure").firstOrNull()
+    private val infrastructure: Token? = after("infrastructure").firstOrNull()
 
     /** True if its agents may meet agents of other programs: on a platform, on other computers. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
@@ -108,8 +108,8 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     /** The first token of the head, the sections or an agent's end that Jason refuses; null: Jason accepts these parts. */
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
-    companion object {
+    private companion object {
         /** The infrastructures that run on one computer. */
-        internal val LOCAL = setOf("Centralised", "Local")
+        val LOCAL = setOf("Centralised", "Local")
     }
 }

@@ -16,7 +16,7 @@ internal object FleetRules {
         if (fleet != null) {
             fleet(fleet, report)
             file.agents.forEach { agent(it, fleet, report) }
-        } else if (file.infrastructure?.text.let { it == null || it in MasFile.LOCAL }) {
+        } else if (!file.isDistributed) {
             file.agents.mapNotNull { it.computers }.firstOrNull()?.let {
                 report.warning(RULE, it.span, "at ${it.text} has no effect", "Jason runs all agents of this project on one computer",
                     "infrastructure: Fleet(hosts([…]))")

@@ -10,9 +10,8 @@ internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
         val uses = KindOfUse.within(component).filter { it.kind in WORDS }.toList().groupBy { it.variable }
         uses.values.forEach { same -> same.filter { it.call != null }.forEach { contradiction(it, same, report) } }
-        component.withDescendants().filterIsInstance<Literal>().filter { it.indicator == ".member/2" }.forEach { call ->
-            member(call, uses.values.flatten().filter { it.kind == LIST && it.call == null }.map { it.variable }.toSet(), report)
-        }
+        val lists = uses.filterValues { same -> same.any { it.kind == LIST && it.call == null } }.keys
+        component.withDescendants().filterIsInstance<Literal>().filter { it.indicator == ".member/2" }.forEach { member(it, lists, report) }
     }
 
     /** Reports a [call] of `.member` that looks for one of the [lists] in a variable that is not known to be a list. */
