@@ -144,7 +144,7 @@ internal class FleetAgArch(
 
     override val computers: List<ObservedComputer> get() = fleet.directory.run {
         computers.map { computer ->
-            val agents = agents.filterValues { it == computer }.keys.sorted().map { AgentThere(it, fleet.views[it]) }
+            val agents = agentsOf[computer].orEmpty().map { AgentThere(it, fleet.views[it]) }
             ObservedComputer(computer, computer == here, isMet(computer), agents)
         }
     }

@@ -50,6 +50,11 @@ internal data class Directory(
     /** All agents in touch, each with its computer. */
     val agents: Map<String, String> get() = owners
 
+    /** The agents of each computer in touch that has any, sorted. */
+    val agentsOf: Map<String, List<String>> by lazy {
+        owners.entries.groupBy({ it.value }, { it.key }).mapValues { (_, names) -> names.sorted() }
+    }
+
     /** The computers of the fleet that are known, in touch or not. */
     val computers: Set<String> get() = (hosts + rosters.keys + inTouch).toSortedSet()
 

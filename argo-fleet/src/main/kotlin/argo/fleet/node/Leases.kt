@@ -166,10 +166,10 @@ internal class Leases(
 
         /** Whether this computer should run the agent, since no computer in touch does. */
         private fun isMine(): Boolean {
-            val isMissing = hasMajority && fleet.directory.find(agent) is Place.Off
+            val directory = fleet.directory
+            val isMissing = hasMajority && directory.find(agent) is Place.Off
             if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
             val since = missingSince ?: return false.also { lease.giveUp() }
-            val directory = fleet.directory
             val first = computers.find { it in directory.inTouch && agent !in directory.roster(it).unable }
             // computers that begin together find each other first
             return first == fleet.here && (first == computers.first() || nanos() - since > PATIENCE_NS || nanos() - start > BEGINNING_NS)
