@@ -35,13 +35,14 @@ internal class Comparison(measured: List<Measured>, val plan: DelegationPlan) {
     private val results = measured.associate { it.run to it.result }
 
     /** The results of [design] under [load], one for each block. */
-    fun results(load: Load, design: Design): List<DelegationResult> =
-        (1..plan.blocks).map { results.getValue(DelegationRun(it, load, design)) }
+    fun results(load: Load, design: Design): List<DelegationResult> = (1..plan.blocks).map { result(load, design, it) }
+
+    private fun result(load: Load, design: Design, block: Int) = results.getValue(DelegationRun(block, load, design))
 
     /** The reaction of [design] under [load] in ms: the median of all blocks. */
     fun reaction(load: Load, design: Design): Double = median(results(load, design).map { median(it.times) })
 
-    private fun logarithm(load: Load, design: Design, block: Int) = ln(median(results(load, design)[block - 1].times))
+    private fun logarithm(load: Load, design: Design, block: Int) = ln(median(result(load, design, block).times))
 
     /** Returns the reaction of [design] over that of one agent in the same block, over all of [loads]. */
     fun ratio(design: Design, loads: List<Load>): Ratio = ratio(
