@@ -115,8 +115,10 @@ static uint8_t word(const char *text, const char *end)
 /* Returns the length of the first of one value or two. */
 static uint8_t first_value(const char *values, uint8_t length)
 {
-    const char *p = memchr(values, UNTIL, length);
-    return p ? (uint8_t)(p - values) : length;
+    uint8_t n = 0;
+    while (n < length && values[n] != UNTIL)
+        n++;
+    return n;
 }
 
 /* The condition has values of this length. */

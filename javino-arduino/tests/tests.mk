@@ -7,6 +7,7 @@
 #   make tls       the example TlsRobot with mbedTLS, against a TLS client
 #   make posix     the example for other families, compiled and run
 #   make fuzz      the libFuzzer target (clang); run build/fuzz/decoder
+#   make bare-metal   the core compiled with nothing but the C library of extras/bare-metal
 #   make e2e       the sketches on the simulated ATmega328P
 #   make cortex-m  the robot of extras/ and sketches for a Cortex-M3 without Arduino, and their sizes
 #   make riscv     the same for a RISC-V microcontroller
@@ -187,6 +188,13 @@ features: $(FEATURES:%=$(BUILD)/features/%.elf)
 size: avr $(CORE) version1 features
 	@tests/sizes
 	@tests/features/table
+
+# ---- only with the C library of extras/bare-metal ----
+
+# The compiler of this machine finds what is missing there.
+bare-metal:
+	$(CC) -std=gnu99 -Os -ffreestanding $(WARNINGS) -fsyntax-only -nostdinc -isystem "$$($(CC) -print-file-name=include)" \
+	  -Iextras/bare-metal/libc -Isrc -Iextras/bare-metal $(C_SOURCES) extras/bare-metal/libc/string.c
 
 # ---- on the simulated Uno ----
 
