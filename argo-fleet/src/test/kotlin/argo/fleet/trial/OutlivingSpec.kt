@@ -7,6 +7,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import java.io.File
 import kotlin.io.path.createTempDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 import kotlin.io.path.readLines
 import kotlin.io.path.writeText
 import kotlin.random.Random
@@ -80,10 +82,15 @@ private class Outliving(names: List<String>, private val network: Namespaces) : 
         val before = acts().size
         val end = System.nanoTime() + PATIENCE_NANOS
         while (acts().size < before + MORE) {
-            check(System.nanoTime() < end) { "the agent does not act" }
+            check(System.nanoTime() < end) { "the agent does not act:\n${outputs()}" }
             Thread.sleep(PAUSE_MILLIS)
         }
         return acts().last().session.substringBefore('#')
+    }
+
+    /** The end of all that each computer has printed. */
+    private fun outputs() = folder.listDirectoryEntries("*.out").sorted().joinToString("\n") { file ->
+        "${file.name}:\n" + file.readLines().takeLast(LINES).joinToString("\n")
     }
 
     override fun close() {
@@ -94,6 +101,7 @@ private class Outliving(names: List<String>, private val network: Namespaces) : 
     private companion object {
         const val WORDS = 5
         const val MORE = 10
+        const val LINES = 30
         const val PAUSE_MILLIS = 100L
         const val PATIENCE_NANOS = 60_000_000_000L
     }
