@@ -89,9 +89,10 @@ internal class Lease(
         if (grant.isGranted && grant.term == ownTerm) {
             granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
             right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that most have granted
-        } else if (grant.term > term || !grant.isGranted && grant.term == ownTerm && !mayRun()) {
-            // a computer that refuses this computer's own term has granted it to another one; it grants each term to one only
-            term = grant.term
+        } else if (grant.term > ownTerm || !grant.isGranted && grant.term == ownTerm && !mayRun()) {
+            // a computer that refuses this computer's own term has granted it to another one; it grants each term to one only. This computer
+            // may itself have granted a greater one meanwhile
+            term = maxOf(term, grant.term)
             ownTerm = 0
         }
     }
