@@ -22,7 +22,7 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     }
 
     private fun watch() {
-        while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) {
+        while (!closing.await(SavedFiles.LOOK_EACH_MS, TimeUnit.MILLISECONDS)) {
             val files = saved.look(agent.sources())
             if (files.isNotEmpty()) reload("${files.joinToString { "${it.fileName}" }} saved")
         }
@@ -35,8 +35,4 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     }
 
     override fun close() = closing.countDown()
-
-    private companion object {
-        const val INTERVAL_MS = 250L
-    }
 }

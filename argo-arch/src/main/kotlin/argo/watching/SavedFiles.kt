@@ -27,6 +27,11 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
         seen = now
         return saved
     }
+
+    companion object {
+        /** The time between two looks. */
+        const val LOOK_EACH_MS = 250L
+    }
 }
 
 /**
