@@ -18,7 +18,7 @@ interface RecordSink : AutoCloseable {
      *
      * @param timeNs the time of the message, in ns, since 1970 or of another clock for all messages; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports it itself
+     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, which it reports itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
@@ -26,7 +26,7 @@ interface RecordSink : AutoCloseable {
      * Offers a message for storing, like the other [offer], but another thread makes its JSON.
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
-     * @param beside makes further messages later, behind this one
+     * @param beside makes further messages later, which follow this one
      * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
      */
     fun offer(
@@ -49,7 +49,7 @@ interface RecordSink : AutoCloseable {
     /** Waits until everything offered before is stored, or storing has ended. */
     fun flush()
 
-    /** Stores everything offered before, and ends the recording. Records offered later are not stored. May be called twice. */
+    /** Stores everything offered before, and ends the recording. Records offered afterwards are not stored. May be called twice. */
     override fun close()
 }
 
