@@ -37,9 +37,7 @@ class Plan(
 }
 
 /** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
-class Unread(override val span: Span) : Component {
-    override val children: List<Node> get() = emptyList()
-}
+class Unread(override val span: Span) : Component
 
 /** The name and the annotations of a plan, `@p1[atomic]`. A plan in braces may have a variable as its name. */
 class Label(override val span: Span, val name: Name?, val annotations: ListTerm?) : Node {

@@ -34,6 +34,12 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
         if (!take(symbol)) expected(what)
     }
 
+    /** Returns the result of [read] between the symbols [open] and [close]. [what] describes [close] in the message. */
+    inline fun <T> between(open: String, close: String, what: String, read: () -> T): T {
+        expect(open)
+        return read().also { expect(close, what) }
+    }
+
     fun expected(what: String) {
         val found = tokens.getOrNull(at)
         when {

@@ -51,7 +51,7 @@ internal class Lease(
 
     /** Makes the next claim, which is for all computers in touch, including this one. */
     fun claim(agent: String): Claim {
-        if (ownTerm == 0L) ownTerm = term + 1
+        if (ownTerm == 0L) beginTerm()
         val now = nanos()
         asked.values.removeIf { now - it.ns > DURATION_NS }
         claims++
@@ -59,7 +59,14 @@ internal class Lease(
         return Claim(agent, claims, ownTerm)
     }
 
-    /** Gives up this computer's reign. Rights that have been granted already stay valid until they end. */
+    /** Grants of an earlier term do not count, since another computer may begin the same term meanwhile. */
+    private fun beginTerm() {
+        ownTerm = term + 1
+        granted.clear()
+        right = null
+    }
+
+    /** Gives up this computer's reign. */
     fun giveUp() {
         ownTerm = 0
     }
@@ -82,7 +89,8 @@ internal class Lease(
         if (grant.isGranted && grant.term == ownTerm) {
             granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
             right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that most have granted
-        } else if (grant.term > term) {
+        } else if (grant.term > term || !grant.isGranted && grant.term == ownTerm && !mayRun()) {
+            // a computer that refuses this computer's own term has granted it to another one; it grants each term to one only
             term = grant.term
             ownTerm = 0
         }

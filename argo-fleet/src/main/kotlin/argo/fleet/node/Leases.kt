@@ -15,12 +15,12 @@ import kotlin.random.Random
 /** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
     /**
-     * Starts [agent] with [mind]; null: the agent's mind is not known, or this is its first start. If starting fails, calls
-     * [Leases.cannotStart] later.
+     * Starts [agent] with [mind], later; null: the agent's mind is not known, or this is its first start. If starting fails, calls
+     * [Leases.cannotStart]. If [reign] has ended by then, calls [Leases.giveUp].
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
-    /** Stops [agent] at once. */
+    /** Stops [agent], later. Its reign is over already, so that it does nothing more. */
     fun stop(agent: String)
 }
 
@@ -66,7 +66,7 @@ internal class Leases(
     fun take(from: String, message: FleetMessage) = synchronized(this) {
         when (message) {
             is Claim -> held(message.agent).answer(from, message)
-            is Grant -> held(message.agent).lease.take(from, message)
+            is Grant -> held(message.agent).take(from, message)
             is MindNews -> held(message.agent).take(message)
             else -> throw Refused("not_leased", "$message is not about an agent that outlives its computer")
         }
@@ -106,9 +106,12 @@ internal class Leases(
 
     /** Gives up [agent] in its [reign], since this computer cannot run it, so that the next computer runs it. Any thread. */
     fun cannotStart(agent: String, reign: Reign) {
-        synchronized(this) { held(agent).giveUp(reign) }
+        giveUp(agent, reign)
         fleet.cannotStart(agent)
     }
+
+    /** Gives up [agent] in its [reign]; this computer may claim the agent again. Any thread. */
+    fun giveUp(agent: String, reign: Reign) = synchronized(this) { held(agent).giveUp(reign) }
 
     override fun close() {
         timer.shutdownNow()
@@ -116,7 +119,7 @@ internal class Leases(
 
     private fun tick() = try {
         synchronized(this) { held.values.filter { fleet.here in it.computers }.forEach { it.tick() } }
-    } catch (unexpected: RuntimeException) { // an exception would end the timer
+    } catch (@Suppress("TooGenericExceptionCaught") unexpected: Throwable) { // an exception would end the timer
         log.log(Level.SEVERE, unexpected) { "agents that outlive their computers: ${unexpected.message}" }
     }
 
@@ -148,6 +151,10 @@ internal class Leases(
                 agents.stop(agent)
             }
             if (reign != null || isMine()) claim()
+        }
+
+        fun take(computer: String, grant: Grant) {
+            lease.take(computer, grant)
             if (reign == null && lease.ownTerm != 0L && lease.mayRun()) begin()
         }
 
@@ -178,7 +185,7 @@ internal class Leases(
 
         private fun claim() {
             val claim = lease.claim(agent).copy(mindTerm = mind?.term ?: 0, mindNumber = mind?.number ?: 0)
-            lease.take(fleet.here, lease.answer(fleet.here, claim))
+            take(fleet.here, lease.answer(fleet.here, claim))
             fleet.sendOthers(claim)
         }
     }

@@ -48,6 +48,24 @@ class LeaseSpec : FunSpec({
         world.leases[1].ownTerm shouldBeGreaterThan first
     }
 
+    test("a computer whose term most have granted to another gets the agent in a later term, when that other is silent") {
+        val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
+        world.cut(0)
+        world.claim(0) // it promises itself the term that the others grant now
+        repeat(3) { // messages may be lost
+            world.claim(1)
+            world.advance(30 * MS)
+        }
+        world.running() shouldBe listOf(1)
+        world.advance(2 * Lease.DURATION_NS)
+        world.join(0)
+        repeat(10) {
+            world.claim(0)
+            world.advance(30 * MS)
+        }
+        world.running() shouldBe listOf(0)
+    }
+
     test("a computer that has just begun grants nothing, since it may have promised it before") {
         val world = World(3, Random(1))
         world.claim(0)
@@ -90,6 +108,10 @@ private class World(private val computers: Int, private val random: Random) {
 
     fun cut(computer: Int) {
         isCut[computer] = true
+    }
+
+    fun join(computer: Int) {
+        isCut[computer] = false
     }
 
     fun advance(ns: Long) {

@@ -97,10 +97,8 @@ internal fun placeIn(plan: Plan): Place {
 /** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative path is `file:robot.asl`. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
-internal fun mailOf(message: Message, failure: String? = null) = Mail(
-    message.ilForce, message.sender, message.receiver,
-    contentText(message.propCont), message.msgId, message.inReplyTo, failure,
-)
+internal fun mailOf(message: Message) =
+    Mail(message.ilForce, message.sender, message.receiver, contentText(message.propCont), message.msgId, message.inReplyTo)
 
 /** The course of a cycle without its texts. Immutable. */
 internal class CourseNote(

@@ -29,7 +29,7 @@ class RecordingFile internal constructor(
     private val warn: (String) -> Unit,
     maxWaitingBytes: Long = MAX_WAITING_BYTES,
     private val flushNs: Long = FLUSH_NS,
-) : QueuedSink(maxWaitingBytes) {
+) : RecordSink(maxWaitingBytes) {
     private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
 
     override fun close() {

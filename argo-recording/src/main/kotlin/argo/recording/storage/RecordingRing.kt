@@ -26,7 +26,7 @@ class RecordingRing(
     private val last: Duration,
     private val maxBytes: Long = MAX_BYTES,
     private val warn: (String) -> Unit = {},
-) : QueuedSink(RecordingFile.MAX_WAITING_BYTES) {
+) : RecordSink(RecordingFile.MAX_WAITING_BYTES) {
     private val lock = ReentrantLock()
     private val messages = ArrayDeque<Encoded>()
     private val others = ArrayList<Waiting>()

@@ -1,6 +1,5 @@
 package argo.recording.storage
 
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -30,47 +29,6 @@ internal sealed interface Waiting {
     class Metadata(val name: String, val values: Map<String, String>) : Waiting
 
     class Flush(val done: CountDownLatch) : Waiting
-}
-
-/** A recording whose records wait for its own writing thread. */
-abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSink {
-    private val channels = ConcurrentHashMap<String, RecordChannel>()
-    internal val waiting = WaitingRecords(maxWaitingBytes)
-
-    @Volatile
-    final override var trouble: String? = null
-        private set
-
-    final override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
-        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
-
-    final override fun offer(
-        channel: RecordChannel,
-        timeNs: Long,
-        bytes: Int,
-        beside: () -> List<Encoded>,
-        encode: () -> ByteArray,
-    ): Boolean {
-        require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, bytes, beside, encode))
-    }
-
-    final override fun attach(name: String, mediaType: String, data: ByteArray) {
-        waiting.add(Waiting.Attachment(name, mediaType, data))
-    }
-
-    final override fun metadata(name: String, values: Map<String, String>) {
-        waiting.add(Waiting.Metadata(name, values))
-    }
-
-    final override fun flush() = waiting.flush()
-
-    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which reports this, to [warn]. */
-    internal fun giveUp(sentence: String, warn: (String) -> Unit) {
-        trouble = sentence
-        warn(sentence)
-        waiting.giveUp()
-    }
 }
 
 /**

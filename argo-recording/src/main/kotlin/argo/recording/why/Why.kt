@@ -87,11 +87,7 @@ class Why(private val recording: Recording) : AutoCloseable {
      * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see the step.
      * @throws RecordingException like [answer]
      */
-    internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? {
-        requireReplayed(agent, cycle.index)
-        val filters = filtersOf(agent)
-        return trial(agent, cyclesOf(agent)).asRecorded(cycle.index) { inputs, answers -> Trace(inputs, answers, clock, filters) }.sent[id]
-    }
+    internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? = trace(agent, cycle.index).sent[id]
 
     /** Returns the message that is the [cause] and that [agent] has taken. */
     internal fun mailOf(agent: String, cause: MessageCause): Mail? = cyclesOf(agent).asSequence()
@@ -101,14 +97,15 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     internal fun seconds(ns: Long): Double = clock.seconds(ns)
 
-    private fun causeOf(command: RecordedCommand): StepCause? {
-        val cycles = cyclesOf(command.agent)
-        requireReplayed(command.agent, command.index)
-        val filters = filtersOf(command.agent)
-        val trace = trial(command.agent, cycles).asRecorded(command.index) { inputs, answers ->
-            Trace(inputs, answers, clock, filters)
-        }
-        return trace.issued.getOrNull(replayedBefore(command))?.cause
+    private fun causeOf(command: RecordedCommand): StepCause? =
+        trace(command.agent, command.index).issued.getOrNull(replayedBefore(command))?.cause
+
+    /** Replays [agent] up to the cycle with the index [last]. */
+    private fun trace(agent: String, last: Long): Trace {
+        val cycles = cyclesOf(agent)
+        requireReplayed(agent, last)
+        val filters = filtersOf(agent)
+        return trial(agent, cycles).asRecorded(last) { inputs, answers -> Trace(inputs, answers, clock, filters) }
     }
 
     /** Replays the agent with [percept] in place of [of]. Returns null if the agent perceived just [percept]. */
