@@ -105,7 +105,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
     }
 
-    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read by then are lost. */
+    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read within this time are lost. */
     override fun close() {
         outbox.close()
         socket.sendClose(WebSocket.NORMAL_CLOSURE, "")
