@@ -73,6 +73,18 @@ class LeaseSpec : FunSpec({
         world.running() shouldBe emptyList()
     }
 
+    test("whatever has happened before, a computer that asks again and again gets it while most hear it") {
+        checkAll(200, Arb.long()) { seed ->
+            val random = Random(seed)
+            val computers = random.nextInt(3, 6)
+            val world = World(computers, random)
+            repeat(random.nextInt(40)) { world.step() }
+            (0..computers / 2).forEach(world::join)
+            (computers / 2 + 1..<computers).forEach(world::cut)
+            withClue("seed $seed") { world.isGranted(0) shouldBe true }
+        }
+    }
+
     test("however messages are delayed, lost and doubled, computers cut off, stopped and started anew, never two may run it") {
         var reigns = 0
         checkAll(200, Arb.long()) { seed ->
@@ -112,6 +124,13 @@ private class World(private val computers: Int, private val random: Random) {
 
     fun join(computer: Int) {
         isCut[computer] = false
+    }
+
+    /** Has the computer [from] claim as [Leases] do; returns whether it has the right at last. */
+    fun isGranted(from: Int): Boolean = (1..40).any {
+        claim(from)
+        advance(300 * MS)
+        running() == listOf(from)
     }
 
     fun advance(ns: Long) {
