@@ -71,6 +71,23 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
         warn(sentence)
         waiting.giveUp()
     }
+
+    /**
+     * Has [worker] store what waits, and waits until it has ended. Jason interrupts the thread of an agent that it stops, which would cut
+     * the recording off: the thread waits on, and is interrupted afterwards.
+     */
+    internal fun closeAndAwait(worker: Thread) {
+        waiting.close()
+        var isInterrupted = false
+        while (worker.isAlive) {
+            try {
+                worker.join()
+            } catch (_: InterruptedException) {
+                isInterrupted = true
+            }
+        }
+        if (isInterrupted) Thread.currentThread().interrupt()
+    }
 }
 
 /**
