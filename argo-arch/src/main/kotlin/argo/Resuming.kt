@@ -19,6 +19,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArchAsynchronous
 import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -98,6 +99,8 @@ internal class Resuming(
             return file.read()?.let { State.of(name, it) }
         } catch (broken: UnreadableStateException) {
             broken.message
+        } catch (_: CharacterCodingException) {
+            "it is no text in UTF-8"
         } catch (unreadable: IOException) {
             "$unreadable"
         }
