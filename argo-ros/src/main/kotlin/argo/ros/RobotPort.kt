@@ -28,7 +28,7 @@ internal class RobotPort private constructor(val mapping: String, val connect: (
         private fun fileIn(port: String) = BAG.matchEntire(port)?.groupValues?.get(1)
             ?.takeIf { ENDED.matches(it) || pathOf(it)?.let(Files::isDirectory) == true }
 
-        /** @throws NoSuchPortException if [port] names neither */
+        /** @throws NoSuchPortException if [port] names neither a robot nor a bag */
         fun of(port: String): RobotPort {
             val file = fileIn(port) ?: return robot(port, RosAddress.of(port))
             val mapping = port.removePrefix("replay:$file").removePrefix("#")
