@@ -18,7 +18,7 @@ internal object Zstd {
      */
     fun decompress(frame: ByteArray): ByteArray {
         val length = unlessDamaged { ZstdDecompressor.getDecompressedSize(frame, 0, frame.size) }
-        if (length !in 0..McapInput.MAX_RECORD_BYTES) throw McapException("its compressed bytes tell no length that can be read here: $length")
+        if (length !in 0..McapInput.MAX_RECORD_BYTES) throw McapException("its compressed bytes tell no usable length: $length")
         return decompress(frame, length.toInt())
     }
 

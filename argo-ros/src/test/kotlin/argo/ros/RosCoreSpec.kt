@@ -75,7 +75,8 @@ private class RosGraph : AutoCloseable {
 
     /** Writes the description of the package [name], without which rosbridge does not load messages; Debian's for Python have none. */
     private fun describe(name: String) {
-        val rest = "<version>0.0.0</version><description>$name</description><maintainer email=\"a@example.org\">a</maintainer><license>a</license>"
+        val maintainer = "<maintainer email=\"a@example.org\">a</maintainer>"
+        val rest = "<version>0.0.0</version><description>$name</description>$maintainer<license>a</license>"
         val folder = Files.createDirectories(packages.resolve(name))
         Files.writeString(folder.resolve("package.xml"), "<package><name>$name</name>$rest</package>")
     }
@@ -132,8 +133,8 @@ private class RosGraph : AutoCloseable {
 
     private companion object {
         const val SHOWN = 2_000
-        val PACKAGES =
-            listOf("actionlib", "actionlib_msgs", "geometry_msgs", "rosauth", "roscpp", "sensor_msgs", "std_msgs", "std_srvs", "rosgraph_msgs")
+        val PACKAGES = listOf("actionlib", "rosauth", "roscpp", "std_srvs") +
+            listOf("actionlib", "geometry", "rosgraph", "sensor", "std").map { "${it}_msgs" }
     }
 }
 

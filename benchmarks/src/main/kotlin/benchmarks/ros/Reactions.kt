@@ -90,7 +90,8 @@ private class Reacting(private val name: String, start: (Int) -> Process) : Auto
     override fun toString(): String {
         val (median, most, longest) = listOf(0.5, 0.99, 1.0).map(times::ms)
         return figures(
-            "%s: median %.2f, 99th percentile %.1f, longest %.0f ms; %d of %d scans answered", name, median, most, longest, times.size, scans,
+            "%s: median %.2f, 99th percentile %.1f, longest %.0f ms; %d of %d scans answered",
+            name, median, most, longest, times.size, scans,
         )
     }
 }
