@@ -9,6 +9,8 @@ import benchmarks.boards.hostBoards
 import benchmarks.boards.manyBoards
 import benchmarks.boards.stopThree
 import benchmarks.fleet.fleet
+import benchmarks.ros.REACTING_AGENT
+import benchmarks.ros.reactingAgent
 import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
@@ -28,7 +30,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "faults" to { _, _ -> faults() },
     "soak" to { _, _ -> soak() },
     "tls" to { _, _ -> tls() },
-    "ros" to { _, _ -> ros() },
+    "ros" to { _, more -> ros(more.firstOrNull()) },
     "explore" to { _, more -> explored(more.firstOrNull()) },
     "record" to { _, _ -> recorded() },
     "reload" to { _, _ -> reloaded() },
@@ -56,6 +58,7 @@ fun main(args: Array<String>) {
         }
         in APART -> println(APART.getValue(name)(rest).joinToString(" "))
         BOARD_HOST -> hostBoards(rest)
+        REACTING_AGENT -> reactingAgent(rest.single().toInt())
         else -> {
             System.err.println(
                 "usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet",

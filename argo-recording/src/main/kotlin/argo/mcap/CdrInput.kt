@@ -13,8 +13,8 @@ internal class CdrInput(data: ByteArray) {
 
     init {
         if (data.size < HEADER_BYTES) throw McapException("a message in CDR has at least $HEADER_BYTES bytes, and not ${data.size}")
-        val form = data[0].toInt() shl Byte.SIZE_BITS or data[1].toInt()
-        if (form != BIG && form != LITTLE) throw McapException("the form $form of CDR cannot be read")
+        val form = data.take(2).joinToString("") { "%02x".format(it) }
+        if (form != BIG && form != LITTLE) throw McapException("it is in the form $form of CDR, and only $BIG and $LITTLE can be read here")
         bytes = ByteBuffer.wrap(data, HEADER_BYTES, data.size - HEADER_BYTES).slice() // alignment counts from the end of the header
         bytes.order(if (form == LITTLE) ByteOrder.LITTLE_ENDIAN else ByteOrder.BIG_ENDIAN)
     }
@@ -45,7 +45,7 @@ internal class CdrInput(data: ByteArray) {
 
     private companion object {
         const val HEADER_BYTES = 4
-        const val BIG = 0
-        const val LITTLE = 1
+        const val BIG = "0000"
+        const val LITTLE = "0001"
     }
 }

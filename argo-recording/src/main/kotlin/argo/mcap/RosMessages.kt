@@ -20,12 +20,12 @@ class RosMessages private constructor(val types: List<RosType>) {
     private val byName = types.associateBy { it.name }
 
     /**
-     * Reads a message.
+     * Reads a message, which may be compressed by Zstandard.
      *
      * @throws McapException if [data] is no message of this type, or one that cannot be read here
      */
     fun read(data: ByteArray): JsonObject = try {
-        Reading(CdrInput(data)).message(own, 0)
+        Reading(CdrInput(if (Zstd.isIn(data)) Zstd.decompress(data) else data)).message(own, 0)
     } catch (_: BufferUnderflowException) {
         throw McapException("a message of ${own.name} ends within a field")
     }

@@ -108,6 +108,8 @@ internal class RosLink private constructor(
             changed.signalAll()
         }
 
+        override fun told(sentence: String, isTrouble: Boolean) = if (isTrouble) warn(sentence) else tell(sentence)
+
         override fun gone(reason: String) = this@RosLink.gone(reason)
     }
 

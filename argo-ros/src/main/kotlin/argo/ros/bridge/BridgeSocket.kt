@@ -38,6 +38,9 @@ internal interface BridgeListener {
     /** A message was dropped unread. [what] describes the message. */
     fun dropped(what: String)
 
+    /** Of a bag in the bridge's place there is something to tell, a [sentence]; [isTrouble]: something of it is left out. */
+    fun told(sentence: String, isTrouble: Boolean) = Unit
+
     /** The connection is gone, for [reason]. May be called more than once. */
     fun gone(reason: String)
 }

@@ -23,7 +23,7 @@ internal class PlayedBridge(
     worker: Executor = Executor(Runnable::run),
     private val heard: (name: String, message: String) -> Unit,
 ) : Bridge {
-    private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, ::tell) }
+    private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, listener::told) }
     private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
     private val outbox = Outbox { text ->
@@ -50,8 +50,6 @@ internal class PlayedBridge(
     }
 
     private fun isSubscribed(topic: String) = topic in subscribed
-
-    private fun tell(sentence: String) = listener.text(operation("status", "level" to "warning", "msg" to sentence))
 
     fun end() = listener.gone("the bridge has closed the connection")
 

@@ -13,6 +13,7 @@ import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Place
 import argo.ros.mapping.Scope
 import argo.ros.mapping.Unfit
+import argo.ros.mapping.UsualType
 import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.fields
@@ -128,8 +129,9 @@ internal class RobotTypes(
             mapping.commands.none { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so that no answer of this type comes: $reason")
             else -> {
-                val hint = if (question.service == MESSAGE) "; is it a service or an action? Then that word stands before its name" else ""
-                warn("the bridge does not know the type $name, so that no command with it leaves$hint: $reason")
+                val isDoubtful = question.service == MESSAGE && UsualType.of(name) == null
+                val hint = if (isDoubtful) "; is it a service or an action? Then that word stands before its name" else ""
+                warn("the bridge does not know the type $name, so that no command with it leaves: $reason$hint")
             }
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason
