@@ -53,7 +53,7 @@ internal class Smoother<P : Any>(
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
         val number = if (to > from && SensorMemory.isRoomFor(text.length)) DecimalReader.plain(text, from, to) else Double.NaN
-        return if (number.isNaN() || memory[key] == null) null else take(percept, text, from, to, number, nowMs)
+        return if (number.isNaN() || memory[key] !== this) null else take(percept, text, from, to, number, nowMs)
     }
 
     private fun Sensor<P>.take(percept: P, text: String, from: Int, to: Int, number: Double, nowMs: Long): P =

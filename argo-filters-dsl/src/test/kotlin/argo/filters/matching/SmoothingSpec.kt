@@ -265,6 +265,16 @@ class SmoothingSpec : FreeSpec({
         session.perceive(listOf(long), 10) shouldContainExactly listOf(long)
     }
 
+    "a sensor that was forgotten and came again has one history, wherever in a message it comes" {
+        val session = session(median5)
+        repeat(5) { session.perceive(listOf("dist(s0,1)"), it.toLong()) }
+        session.perceive(listOf("light(1)") + (1..5_000).map { "dist(s$it,1)" }, 5)
+        repeat(2) { session.perceive(listOf("light(1)", "dist(s0,9)"), 6L + it) }
+        session.perceive(listOf("dist(s0,9)"), 8) shouldContainExactly listOf("dist(s0,9)")
+        repeat(3) { session.perceive(listOf("dist(s0,5)"), 9L + it) }
+        session.perceive(listOf("light(1)", "dist(s0,9)"), 12) shouldContainExactly listOf("light(1)", "dist(s0,5)")
+    }
+
     "it explains itself, and changes nothing by that" {
         val filter = dropFilter("f") { smooth("dist") { argument(1) maxRate 5_000; argument(1).outliers(3); argument(1) median 3 } }
         val session = session(filter)
