@@ -14,7 +14,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var rates = RateMemory<P>(null)
     private var smoother: Smoother<P>? = null
     private var latches: Latches? = null
-    private var picture = Picture<P>(emptyList())
+    private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, P> = emptyMap()
 
@@ -44,7 +44,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         rates = RateMemory(filter)
         smoother = matcher?.takeIf { it.filter.smoothing.isNotEmpty() }?.let { Smoother(it, textOf, annotated) }
         latches = if (matcher?.hasLatches == true) Latches() else null
-        picture = Picture(emptyList())
+        picture = Picture()
         last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
 
@@ -56,13 +56,13 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     @JvmOverloads
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
         val received = java.util.List.copyOf(percepts)
-        picture = smoother?.picture(received, nowMs, picture, old) ?: Picture(received)
+        picture = smoother?.picture(received, nowMs, old) ?: picture.also { it.begin(received) }
         latches?.let(::note)
         return decided(nowMs)
     }
 
     private fun note(latches: Latches) = picture.received.indices.forEach { place ->
-        matcher?.note(textOf(picture.received[place]), textOf(picture.standing[place]), latches)
+        matcher?.note(textOf(picture.received[place]), textOf(picture.standing(place)), latches)
     }
 
     /**
@@ -118,8 +118,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /** Returns the percept that the agent perceives for the one at [place]; null: none. Adds rules that hold it back to [holds]. */
     private fun decided(matcher: PerceptMatcher, place: Int, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val received = picture.received[place]
-        val isStandIn = picture.standing[place] !== received && !matcher.isCritical(textOf(received), latches)
-        val percept = if (isStandIn) picture.standing[place] else received
+        val isStandIn = picture.standing(place) !== received && !matcher.isCritical(textOf(received), latches)
+        val percept = if (isStandIn) picture.standing(place) else received
         if (!rates.isEmpty) return rated(matcher, received, percept, nowMs, holds)
         val text = textOf(percept)
         return if (matcher.drops(text, 0, text.length, isStandIn, latches)) null else percept
@@ -143,7 +143,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     private fun criticalOf(matcher: PerceptMatcher): List<CriticalPercept<P>> {
         if (matcher.filter.critical.isEmpty()) return emptyList()
-        return picture.received.indices.flatMap { criticalOf(matcher, picture.received[it], picture.standing[it]) }.distinct()
+        return picture.received.indices.flatMap { criticalOf(matcher, picture.received[it], picture.standing(it)) }.distinct()
     }
 
     private fun criticalOf(matcher: PerceptMatcher, received: P, percept: P): List<CriticalPercept<P>> {

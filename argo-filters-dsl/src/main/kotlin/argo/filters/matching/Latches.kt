@@ -4,6 +4,9 @@ package argo.filters.matching
 internal class Latches {
     private val memory = SensorMemory<Unit>()
 
+    /** True if no condition holds for any sensor, so that none need be looked up. */
+    val areAllOff: Boolean get() = memory.isEmpty
+
     /**
      * Returns true if [condition] holds for the sensor of the percept in [text]. The sensor's name is the text from [start] to [from] and
      * from [to] to [end].

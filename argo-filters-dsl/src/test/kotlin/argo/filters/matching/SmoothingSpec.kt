@@ -295,10 +295,11 @@ class SmoothingSpec : FreeSpec({
     }
 
     "a sensor that is known costs no memory" {
-        val smoother = Smoother(median5.matcher(), { it: String -> it }, { it })
-        val percepts = Array(100) { if (it % 2 == 0) "dist(f,${it * 7 % 11})" else "dist(b,${it * 5 % 13})" }
+        val filter = dropFilter("f") { smooth("dist") { argument(1).outliers(3); argument(1) median 5 } }
+        val smoother = Smoother(filter.matcher(), { it: String -> it }, { it })
+        val messages = List(25) { at -> List(4) { "dist(s$it,${(at * 4 + it) * 7 % 11}${if (at % 9 == 0) 0 else ""})" } }
         fun run() {
-            percepts.forEachIndexed { at, percept -> smoother.stands(percept, 0, at % 3) }
+            messages.forEach { smoother.picture(it, 0, emptySet()) }
         }
         repeat(200) { run() } // until it is compiled
         val threads = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean
