@@ -88,8 +88,8 @@ private class CompiledCondition(condition: Condition) {
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
         val isMet = tests[0].isMetBy(text, start, argumentEnd)
         if (!isMet && latches.areAllOff) return
-        val wasOn = latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
-        latches.set(wasOn, isMet || wasOn && until?.isMetBy(text, start, argumentEnd) == true)
+        val isWithin = until?.isMetBy(text, start, argumentEnd) == true
+        latches.note(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet, isWithin)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

@@ -28,13 +28,15 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      *
      * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains these frozen percepts until
      * the next change of filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The
-     * session also [forgets][forget] earlier percepts.
+     * session also [forgets][forget] earlier percepts, but critical rules that both filters have go on to hold until their second limits.
      */
     fun switchTo(filter: PerceptionFilter?) {
-        val next = filter?.matcher()
+        val next = filter?.let { PerceptMatcher(it, matcher) }
+        val held = latches
         frozen = if (next != null && filter.onSwitch == OnSwitch.FREEZE) hiddenBy(next) else emptyMap()
         matcher = next
         forget()
+        if (latches != null && held != null) latches = held
     }
 
     /**
@@ -62,8 +64,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return decided(nowMs)
     }
 
-    private fun note(latches: Latches) = picture.received.indices.forEach { place ->
-        matcher?.note(textOf(picture.received[place]), textOf(picture.standing(place)), latches)
+    private fun note(latches: Latches) {
+        latches.begin()
+        for (place in picture.received.indices) matcher?.note(textOf(picture.received[place]), textOf(picture.standing(place)), latches)
     }
 
     /**
