@@ -27,7 +27,7 @@ internal class Picture<P> {
     /** Returns the percept that stands for the one received at [place]. */
     fun standing(place: Int): P = if (place < standing.size) standing[place] else received[place]
 
-    /** Returns the received percepts, and those that stand for a credible one. */
+    /** Returns the received percepts, and the percepts that stand for credible ones. */
     fun seen(): Set<P> = received.toHashSet().apply {
         standing.forEachIndexed { place, percept -> if (!doubted[place]) add(percept) }
     }
