@@ -41,7 +41,7 @@ private fun Condition.isExact(all: List<Condition>) =
 /**
  * Returns true if the condition has one limit, or if all other conditions only say for which sensor it is. A filter remembers for each
  * sensor and condition that a second limit counts, and a board remembers it for the rule. So each argument in front must have one value,
- * and no other argument may be asked for.
+ * and no other argument may be asked for. Percepts are taken to have no argument behind it that tells sensors apart.
  */
 private fun Condition.namesSensor(all: List<Condition>): Boolean {
     if (until() == null) return true

@@ -76,7 +76,8 @@ private class CompiledCondition(condition: Condition) {
         if (argument >= TermBounds.arity(tail)) return false
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        return tests[0].isMetBy(text, start, argumentEnd) || until != null && latches != null && until.isMetBy(text, start, argumentEnd) &&
+        if (tests[0].isMetBy(text, start, argumentEnd)) return true
+        return until != null && latches?.areAllOff == false && until.isMetBy(text, start, argumentEnd) &&
             latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
     }
 
@@ -85,8 +86,10 @@ private class CompiledCondition(condition: Condition) {
         if (argument >= TermBounds.arity(tail)) return
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        val wasOn = latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
-        latches.set(wasOn, tests[0].isMetBy(text, start, argumentEnd) || wasOn && until?.isMetBy(text, start, argumentEnd) == true)
+        val isMet = tests[0].isMetBy(text, start, argumentEnd)
+        if (!isMet && latches.areAllOff) return
+        val isWithin = until?.isMetBy(text, start, argumentEnd) == true
+        latches.note(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet, isWithin)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

@@ -16,9 +16,12 @@ import argo.filters.SmoothingRule
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
     val filter: PerceptionFilter,
+    before: PerceptMatcher? = null, // critical rules that it has too are the same objects here, so latches go on to know them
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
-    private val criticalIndex = if (filter.critical.isEmpty()) null else RuleIndex(filter.critical.map { CompiledRule(it.rule, it) })
+    private val critical: List<CompiledRule> =
+        filter.critical.map { rule -> before?.critical?.find { it.critical == rule } ?: CompiledRule(rule.rule, rule) }
+    private val criticalIndex = if (critical.isEmpty()) null else RuleIndex(critical)
     private val smoothingIndex =
         if (filter.smoothing.isEmpty()) null else RuleIndex(filter.smoothing.map { CompiledRule(it.rule, smoothing = it) })
     private val drops = filter.mode == Mode.DROP

@@ -12,6 +12,8 @@ internal class SensorMemory<V : Any> {
         override fun removeEldestEntry(eldest: Map.Entry<SensorKey, V>) = size > CAPACITY
     }
 
+    val isEmpty: Boolean get() = values.isEmpty()
+
     /** Returns the value of the sensor that [owner] knows by [name]; null: there is none. */
     operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]
 
