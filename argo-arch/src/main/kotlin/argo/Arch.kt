@@ -67,9 +67,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && pausing.maySleep() && waker.maySleep()
     }
     private val ordersLive = { hand.takeAll() }
-    private val carryOut = { order: Order ->
+    private val carryOut: (Order) -> Unit = { order ->
         hand.carryOut(order, ts)
         if (order is Order.Reload) pausing.plansChanged()
+        resuming?.ordered()
     }
 
     /** The agent's boards. Available from [init] on. */
