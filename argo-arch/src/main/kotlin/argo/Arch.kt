@@ -68,8 +68,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
     private val ordersLive = { hand.takeAll() }
     private val carryOut: (Order) -> Unit = { order ->
-        hand.carryOut(order, ts)
-        if (order is Order.Reload) pausing.plansChanged()
+        if (order is Order.Reload) pausing.exchanging { hand.carryOut(order, ts) } else hand.carryOut(order, ts)
         resuming?.ordered()
     }
 
