@@ -15,8 +15,8 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * The benchmarks. Each prints its figures. Each takes a file for all results, which some do not write, and further arguments. Each returns
- * false if its figures break their bounds.
+ * The benchmarks. Each prints its figures. Each takes a file for all its results, which some do not write, and further arguments. Each
+ * returns false if its figures break their bounds.
  */
 private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = mapOf(
     "latency" to { _, _ -> latency() },

@@ -41,7 +41,7 @@ internal fun requireCommand(command: Term) {
 
 /**
  * Returns the text to send for [command]: a string without its quotes, or a literal without its namespace. [requireCommand] has let the
- * command through. A line takes the literal as Jason writes it. Other links read the text back, so strings in it have escapes.
+ * command through. A line takes the literal as Jason writes it. Other links read the text back, so strings in the text have escapes.
  *
  * @param isLine whether the text goes out as bytes on a line, see [argo.links.BoardLink.isLine]
  * @throws ArgumentException if a line cannot carry it

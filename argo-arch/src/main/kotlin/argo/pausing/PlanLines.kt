@@ -22,7 +22,7 @@ import kotlin.math.abs
 private class PlanLine(val plan: Plan, val number: Int, val text: String, val place: SourceLine)
 
 /**
- * The lines of an agent's plans at which it can stand: those of triggers, and those of steps. They stay as they are when the plans are
+ * The lines of an agent's plans at which it can stand: the lines of triggers and of steps. They stay as they are when the plans are
  * exchanged. Any thread may call.
  */
 internal class PlanLines(agent: Agent) {
@@ -30,7 +30,7 @@ internal class PlanLines(agent: Agent) {
     private val plans: Set<Plan> = lines.mapTo(Collections.newSetFromMap(IdentityHashMap())) { it.plan }
     private val source = agent.aslSrc
 
-    /** The last part of each file with such lines, but that of Jason's own plans for messages. */
+    /** The last part of the name of each file with such lines, except the file of Jason's own plans for messages. */
     val files: Set<String> get() = lines.mapTo(LinkedHashSet()) { File(it.place.file).name } - "kqmlPlans.asl"
 
     fun has(file: String): Boolean = lines.any { isSameFile(it.place.file, file) }

@@ -22,11 +22,11 @@ import jason.mas2j.parser.TokenMgrError
 import jason.runtime.MASConsoleLogFormatter
 import jason.runtime.RuntimeServicesFactory
 import java.io.InputStream
+import java.util.concurrent.Executors
 import java.util.logging.ConsoleHandler
 import java.util.logging.Level
 import java.util.logging.LogManager
 import java.util.logging.Logger
-import kotlin.concurrent.thread
 
 /** Runs the agents of one computer of a fleet, on Jason's infrastructure for a single computer. */
 internal class FleetMas :
@@ -39,6 +39,12 @@ internal class FleetMas :
     private lateinit var services: FleetServices
     private lateinit var facilitator: DirectoryFacilitator
     private val log = Logger.getLogger(LOG)
+
+    /**
+     * Starts and stops agents that outlive their computers, since the leases must not wait while a program is read. The starts and stops
+     * of an agent follow each other, so that no agent is created twice.
+     */
+    private val starter = Executors.newSingleThreadExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
 
     /**
      * Reads the project in [file]. Jason ends the program if the file has a wrong form.
@@ -67,7 +73,7 @@ internal class FleetMas :
         Logger.getLogger("").handlers.filterIsInstance<ConsoleHandler>().forEach { it.formatter = MASConsoleLogFormatter() }
     }
 
-    /** Creates those of [agents] that belong to this computer, joins [fleet], and then has these agents begin. */
+    /** Creates those of [agents] that belong to this computer, joins [fleet], and then lets these agents begin. */
     fun run(fleet: Fleet, agents: List<PlacedAgent>, hosts: Int) {
         this.fleet = fleet
         placed = agents
@@ -99,24 +105,25 @@ internal class FleetMas :
                 )
             }
             return getAg(agent.name) as FleetAgArch
-        } catch (failed: Exception) {
+        } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // a class that an agent needs may be missing
             log.log(Level.SEVERE, "agent ${agent.name} cannot be created: ${failed.message}", failed)
             return null
         }
     }
 
-    /** Uses a thread of its own, since the leases must not wait while a program is read. */
-    override fun start(agent: String, reign: Reign, mind: MindNews?) {
-        thread(name = "argo-fleet-start-$agent") {
-            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }
-                ?: return@thread leases.cannotStart(agent, reign)
-            if (reign.isValid()) services.startAgent(agent) else stop(created)
+    override fun start(agent: String, reign: Reign, mind: MindNews?) = starter.execute {
+        val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }
+        when {
+            created == null -> leases.cannotStart(agent, reign)
+            reign.isValid() -> services.startAgent(agent)
+            else -> {
+                stop(created)
+                leases.giveUp(agent, reign) // computers may grant it again before the leases notice that it has ended
+            }
         }
     }
 
-    override fun stop(agent: String) {
-        getAg(agent)?.let(::stop)
-    }
+    override fun stop(agent: String) = starter.execute { getAg(agent)?.let(::stop) }
 
     /** Stops [agent]. Another agent may have the same name by now. */
     private fun stop(agent: LocalAgArch) {

@@ -11,8 +11,11 @@ import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
+import jason.asSemantics.Agent
 import kotlinx.coroutines.delay
 import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.time.Duration.Companion.seconds
 
@@ -92,4 +95,82 @@ class LeasesSpec : FunSpec({
             base.shouldLog("has not got what m believes, and is told again: too much waits")
         }
     }
+
+    test("a right that ends and is granted again while the agent is being created has the agent run") {
+        LateAgent.hold()
+        OneComputer("m agentClass argo.fleet.LateAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
+            val isGone = CountDownLatch(1)
+            var granted = 0L // the time of the last claim that was granted at once
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                if ((one.message as? RosterNews)?.gone == setOf("m")) isGone.countDown()
+                (one.message as? Claim)?.let { claim ->
+                    val age = (System.nanoTime() - granted) / 1_000_000
+                    if (!LateAgent.isHeld()) granted = System.nanoTime()
+                    else if (age < 1100) return@let
+                    else { // the leases' thread waits here, so they do not notice that the right ends
+                        Thread.sleep(maxOf(0, 1450 - age))
+                        LateAgent.release()
+                        isGone.await(20, TimeUnit.SECONDS)
+                    }
+                    base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
+                }
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            isGone.await(20, TimeUnit.SECONDS) shouldBe true
+            base.shouldBelieve("m", "place(north)[source(self)]")
+        }
+    }
+
+    test("an agent that is still being created when this computer has the right to it again is created once more, and runs once") {
+        LateAgent.hold()
+        OneComputer("m agentClass argo.fleet.LateAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
+            val isGranting = AtomicBoolean(true)
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                val claim = one.message as? Claim
+                if (claim != null && isGranting.get()) base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            eventually(20.seconds) { LateAgent.isHeld() shouldBe true }
+            isGranting.set(false)
+            base.shouldLog("m stops here")
+            isGranting.set(true)
+            base.shouldLog("m runs on base now", times = 2)
+            LateAgent.release()
+            base.shouldBelieve("m", "place(north)[source(self)]")
+            delay(1.seconds) // the first one would have been taken away by then, and the second with it
+            base.believed("m") shouldContain "place(north)[source(self)]"
+        }
+    }
 })
+
+/** An agent, the first of which is created only when a test has it. */
+class LateAgent : Agent() {
+    override fun initAg() {
+        held?.let {
+            isHeld.set(true)
+            it.await()
+        }
+        super.initAg()
+    }
+
+    companion object {
+        @Volatile
+        private var held: CountDownLatch? = null
+        private val isHeld = AtomicBoolean()
+
+        fun hold() {
+            held = CountDownLatch(1)
+        }
+
+        fun isHeld() = isHeld.get()
+
+        fun release() {
+            isHeld.set(false)
+            val latch = held
+            held = null
+            latch?.countDown()
+        }
+    }
+}

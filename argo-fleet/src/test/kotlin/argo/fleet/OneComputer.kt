@@ -5,7 +5,7 @@ import argo.fleet.node.Fleet
 import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.collections.shouldContainAll
-import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import jason.mas2j.ClassParameters
 import jason.mas2j.parser.mas2j
 import jason.util.Config
@@ -69,8 +69,9 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
     suspend fun shouldBelieve(agent: String, vararg beliefs: String) =
         eventually(20.seconds) { believed(agent) shouldContainAll beliefs.asList() }
 
-    /** Waits until the log has a line with [text]. */
-    suspend fun shouldLog(text: String) = eventually(20.seconds) { records.map { it.message }.filter { text in it }.shouldNotBeEmpty() }
+    /** Waits until the log has lines with [text], at least as many as [times]. */
+    suspend fun shouldLog(text: String, times: Int = 1) =
+        eventually(20.seconds) { records.count { text in it.message } shouldBeGreaterThanOrEqual times }
 
     val isRunning: Boolean get() = mas.isRunning
 

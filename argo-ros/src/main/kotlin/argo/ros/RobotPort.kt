@@ -22,7 +22,7 @@ internal class RobotPort private constructor(val mapping: String, val connect: (
 
         fun isBag(port: String) = BAG.matches(port)
 
-        /** @throws NoSuchPortException if [port] names neither */
+        /** @throws NoSuchPortException if [port] names neither a robot nor a bag */
         fun of(port: String): RobotPort {
             val (file, mapping) = BAG.matchEntire(port)?.destructured ?: return robot(port, RosAddress.of(port))
             return RobotPort(mapping.ifEmpty { RosAddress.USUAL_MAPPING }) { listener, clock ->

@@ -20,11 +20,11 @@ import kotlin.time.toJavaDuration
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * [WhatIf] describes how far the result is exact.
+ * [WhatIf] describes in which cases the result is exact.
  *
  * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
  * @param agent the name of the agent; null: the recording has only one
- * @param program the agent's present program, found as by [argo.testkit.agent]; null: the file with the name of the recorded one
+ * @param program the agent's present program, looked for as [argo.testkit.agent] does; null: the file that is named like the recorded one
  * @param filter the filter through which the agent perceives its boards; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */

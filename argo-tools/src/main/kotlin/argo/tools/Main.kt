@@ -4,6 +4,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolProvider
 import argo.tools.command.WatchedOutput
 import argo.tools.command.refusingInWords
+import argo.tools.command.standardCharset
 import javino.Services
 import picocli.CommandLine
 import picocli.CommandLine.Help.Ansi
@@ -11,7 +12,6 @@ import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintWriter
-import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
 /**
@@ -32,11 +32,6 @@ internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandL
     val trouble = output.trouble ?: return status
     if (!output.hasReaderGone) tools.err.println("the results could not be written: ${trouble.message}")
     return if (status == ExitStatus.DONE) ExitStatus.FAILED else status
-}
-
-private fun standardCharset(): Charset {
-    val encoding = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull(System::getProperty)
-    return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
 }
 
 internal fun tools(): CommandLine = allTools()

@@ -111,7 +111,7 @@ private fun manyMessages() = inNamespaces("messages", MANY) { trial, network, na
     faults.isEmpty()
 }
 
-/** A computer is killed, and started again later; or unplugged for some seconds. */
+/** A fault: a computer is killed, and started again later; or it is unplugged for some seconds. */
 private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
     Thread.sleep(random.nextLong(2000))
     when {

@@ -36,7 +36,7 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /** An unused nonce as long as there is one: a late WELCOME with an earlier nonce is then no answer. */
+    /** Returns an unused nonce as long as there is one: a late WELCOME with an earlier nonce then answers no HELLO of this session. */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
         return USABLE.get(last);

@@ -31,8 +31,8 @@ public interface SessionListener<C> {
     void unreadable(FrameKind kind);
 
     /**
-     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known. So the others stay
-     * unknown. Called for each such page.
+     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known. So the other actions
+     * stay unknown. Called for each such page.
      */
     void undescribed(int described, int total);
 

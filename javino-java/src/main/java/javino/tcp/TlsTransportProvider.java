@@ -3,15 +3,12 @@ package javino.tcp;
 import javino.LineSettings;
 import javino.PortException;
 import javino.Transport;
-import javino.TransportProvider;
 
 /**
  * {@code tls://host:port}: a board on the network behind TLS. The first connection keeps the board's certificate in the folder
  * {@code ~/.argo/tls}, unless one is there already. From then on no other certificate is accepted; see the documentation of the ports.
  */
-public final class TlsTransportProvider implements TransportProvider {
-    private final TcpTransportProvider tcp = new TcpTransportProvider();
-
+public final class TlsTransportProvider extends TcpTransportProvider {
     @Override
     public String scheme() {
         return "tls";
@@ -22,15 +19,5 @@ public final class TlsTransportProvider implements TransportProvider {
         String port = port(address);
         return TlsConnector.connect(
                 port, TcpAddress.of(port, address), TlsFolder.ofUser(), line, TcpConnector.LIMIT_MILLIS);
-    }
-
-    @Override
-    public String canonicalAddress(String address) {
-        return tcp.canonicalAddress(address);
-    }
-
-    @Override
-    public LineSettings usualLine() {
-        return tcp.usualLine();
     }
 }

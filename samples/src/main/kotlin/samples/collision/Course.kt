@@ -12,7 +12,7 @@ import kotlin.time.DurationUnit
  *
  * Immutable: a command gives a new course. Instants are ns of any one steady clock, distances are cm from the wall to the robot's front.
  */
-class Course private constructor(private val speed: Double, private val legs: List<Leg>) {
+class Course private constructor(private val legs: List<Leg>) {
     private class Leg(val start: Long, val distance: Double, val drives: Boolean)
 
     /** Returns the course after the command to drive at [now]; this course if the robot already drives or has collided. */
@@ -21,13 +21,13 @@ class Course private constructor(private val speed: Double, private val legs: Li
     /** Returns the course after the command to stop at [now]; this course if the robot does not drive. */
     fun stop(now: Long): Course = if (stateAt(now) == State.DRIVING) then(now, false) else this
 
-    private fun then(now: Long, drives: Boolean) = Course(speed, legs + Leg(now, distanceAt(now), drives))
+    private fun then(now: Long, drives: Boolean) = Course(legs + Leg(now, distanceAt(now), drives))
 
     /** Returns the distance at [now], which is not before the last command; never below 0. */
     fun distanceAt(now: Long): Double = legs.last().distanceAt(now)
 
     private fun Leg.distanceAt(instant: Long): Double =
-        if (drives) (distance - speed * (instant - start).nanoseconds.toDouble(DurationUnit.SECONDS)).coerceAtLeast(0.0) else distance
+        if (drives) (distance - SPEED_CM_S * (instant - start).nanoseconds.toDouble(DurationUnit.SECONDS)).coerceAtLeast(0.0) else distance
 
     /** Returns the state of the robot at [now], which is not before the last command. */
     fun stateAt(now: Long): State = when {
@@ -48,7 +48,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
             if (leg.drives && cm in leg.distanceAt(end)..leg.distance) {
-                return leg.start + ((leg.distance - cm) / speed).seconds.inWholeNanoseconds
+                return leg.start + ((leg.distance - cm) / SPEED_CM_S).seconds.inWholeNanoseconds
             }
         }
         return null
@@ -76,10 +76,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** The speed of the robot of the experiment, in cm/s. */
         const val SPEED_CM_S = 10.0
 
-        /** Returns the course of a robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */
-        fun standing(now: Long, distance: Double = START_CM, speed: Double = SPEED_CM_S): Course {
-            require(distance > 0 && speed > 0) { "distance $distance cm and speed $speed cm/s must be above 0" }
-            return Course(speed, listOf(Leg(now, distance, drives = false)))
-        }
+        /** Returns the course of a robot that stands [START_CM] from the wall since [now]. */
+        fun standing(now: Long): Course = Course(listOf(Leg(now, START_CM, drives = false)))
     }
 }

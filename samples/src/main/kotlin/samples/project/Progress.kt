@@ -1,5 +1,6 @@
 package samples.project
 
+import argo.tools.command.standardCharset
 import java.io.Console
 import java.io.PrintStream
 import java.nio.charset.Charset
@@ -56,18 +57,12 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
         const val MAX_COLUMNS = 79
 
         /** Shows progress on this program's standard output. */
-        fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
+        fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), standardCharset())
 
         /**
          * Returns true if the terminal of a program with [environment] can rewrite a line. A log of CI keeps everything that is printed.
          */
         fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
-
-        private fun charset(): Charset =
-            OUTPUT_ENCODINGS.firstNotNullOfOrNull(System::getProperty)?.let(Charset::forName) ?: Charset.defaultCharset()
-
-        /** The properties for the terminal's character set in several versions of Java. */
-        private val OUTPUT_ENCODINGS = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding")
 
         private fun isTerminal(): Boolean {
             val console = System.console() ?: return false

@@ -25,11 +25,11 @@ class MasFleet internal constructor(private val tokens: List<Token>) {
         var depth = 0
         var option = ""
         for ((at, token) in tokens.withIndex()) {
-            if (at > 0 && tokens[at - 1].text in OPENING + ",") {
+            if (at > 0 && tokens[at - 1].let { it.isOpening || it.isSymbol(",") }) {
                 if (depth == 1) option = token.text
                 found += Begin(at, depth, option)
             }
-            if (token.text in OPENING) depth++ else if (token.text in CLOSING) depth--
+            if (token.isOpening) depth++ else if (token.isClosing) depth--
             if (depth == 0) break
         }
         return found
@@ -44,7 +44,5 @@ class MasFleet internal constructor(private val tokens: List<Token>) {
     private companion object {
         /** The depth inside of `Fleet(`, `hosts(` and `[`. */
         const val OF_HOSTS = 3
-        val OPENING = setOf("(", "[")
-        val CLOSING = setOf(")", "]")
     }
 }

@@ -6,7 +6,7 @@ import argo.check.syntax.TokenKind
 
 /**
  * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. Each instance reads a single file. [end] is
- * the token for the end of the file.
+ * the token that marks the end of the file.
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0

@@ -69,15 +69,9 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         return Loop(cursor.since(keyword.span.start), keyword.text, condition, body)
     }
 
-    private fun condition(): Term {
-        cursor.expect("(")
-        return terms.formula().also { cursor.expect(")", "a closing bracket") }
-    }
+    private fun condition(): Term = cursor.between("(", ")", "a closing bracket") { terms.formula() }
 
-    private fun braces(): Body {
-        cursor.expect("{")
-        return body().also { cursor.expect("}", "a statement or a closing brace") }
-    }
+    private fun braces(): Body = cursor.between("{", "}", "a statement or a closing brace") { body() }
 
     private fun formula(): Statement {
         val start = cursor.start
@@ -102,9 +96,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
 
     private fun group(): Statement = cursor.nested({ Group(it, Body(it, emptyList())) }) {
         val start = cursor.start
-        cursor.expect("(")
-        val body = body()
-        cursor.expect(")", "a closing bracket")
+        val body = cursor.between("(", ")", "a closing bracket") { body() }
         Group(cursor.since(start), body)
     }
 
@@ -116,8 +108,8 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
             val token = cursor.peek(ahead++)
             when {
                 token.kind == TokenKind.UNKNOWN -> return false
-                token.text in OPENING -> depth++
-                token.text in CLOSING && --depth == 0 -> return false
+                token.isOpening -> depth++
+                token.isClosing && --depth == 0 -> return false
                 token.kind == TokenKind.SYMBOL && token.text in ONLY_IN_BODIES -> return true
                 token.kind == TokenKind.KEYWORD && token.text in setOf("if", "for", "while") -> return true
             }
@@ -128,7 +120,5 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         val OPERATORS = BodyOperator.entries.filter { it != BodyOperator.DO }.associateBy { it.symbol }
         val BEGINNINGS = setOf("!", "!!", "?", "+", "-", "(", "[", "{", "~", "::")
         val ONLY_IN_BODIES = setOf(";", "|&|", "|||", "!", "!!", "?")
-        val OPENING = setOf("(", "[", "{")
-        val CLOSING = setOf(")", "]", "}")
     }
 }

@@ -37,9 +37,7 @@ class Plan(
 }
 
 /** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
-class Unread(override val span: Span) : Component {
-    override val children: List<Node> get() = emptyList()
-}
+class Unread(override val span: Span) : Component
 
 /** The name and the annotations of a plan, `@p1[atomic]`. A plan in braces may have a variable as its name. */
 class Label(override val span: Span, val name: Name?, val annotations: ListTerm?) : Node {
@@ -73,7 +71,7 @@ enum class BodyOperator(val symbol: String) {
     /** True if the operator adds a belief. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
-    /** True if the statement deletes a belief and adds none in its place. */
+    /** True if the statement deletes a belief and adds no other in its place. */
     val deletes: Boolean get() = this == DELETE || this == DELETE_APART
 }
 

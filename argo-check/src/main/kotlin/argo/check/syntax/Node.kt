@@ -3,21 +3,17 @@ package argo.check.syntax
 /** A part of a program with its place. A node contains its [children], in the order of the text, and no other node. */
 sealed interface Node {
     val span: Span
-    val children: List<Node>
+    val children: List<Node> get() = emptyList()
 }
 
 /** A term or a formula. */
 sealed interface Term : Node
 
 /** Stands for a missing term. The program has an error at this place. */
-class Missing(override val span: Span) : Term {
-    override val children: List<Node> get() = emptyList()
-}
+class Missing(override val span: Span) : Term
 
 /** A name with its place. [text] has no quotes. */
 class Name(override val span: Span, val text: String) : Node {
-    override val children: List<Node> get() = emptyList()
-
     override fun toString(): String = text
 }
 
@@ -70,8 +66,6 @@ class Variable(
 
 /** @property text as written, without a sign */
 class NumberTerm(override val span: Span, val text: String) : Term {
-    override val children: List<Node> get() = emptyList()
-
     val value: Double get() = text.toDouble()
 
     override fun toString(): String = text
@@ -79,8 +73,6 @@ class NumberTerm(override val span: Span, val text: String) : Term {
 
 /** @property text without the quotes, with its escapes as written */
 class StringTerm(override val span: Span, val text: String) : Term {
-    override val children: List<Node> get() = emptyList()
-
     override fun toString(): String = "\"$text\""
 }
 
@@ -94,7 +86,7 @@ class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands
 
-    /** True if all operators are those of numbers. */
+    /** True if all operators are operators on numbers. */
     val isArithmetic: Boolean get() = operators.all { it.text in ARITHMETIC }
 
     fun isOf(symbol: String): Boolean = operators.all { it.text == symbol }

@@ -82,13 +82,10 @@ internal class ProgramReader(private val cursor: Cursor) {
 
     private fun bodyOf(what: String): Body = bodies.body().also { if (it.statements.isEmpty()) cursor.expected(what) }
 
-    private fun inner(): List<Plan> {
-        cursor.expect("{")
-        val plans = buildList {
+    private fun inner(): List<Plan> = cursor.between("{", "}", "a plan or a closing brace") {
+        buildList {
             while (!cursor.isAt("}") && !cursor.isLost && !cursor.isAtEnd) add(plan())
         }
-        cursor.expect("}", "a plan or a closing brace")
-        return plans
     }
 
     private fun label(): Label? {
@@ -114,9 +111,7 @@ internal class ProgramReader(private val cursor: Cursor) {
     /** Reads a term in braces: a body, a plan, an event or a rule. */
     private fun block(): Block = cursor.nested({ Block(it, Body(it, emptyList())) }) {
         val start = cursor.start
-        cursor.expect("{")
-        val content = content()
-        cursor.expect("}", "a closing brace")
+        val content = cursor.between("{", "}", "a closing brace") { content() }
         Block(cursor.since(start), content)
     }
 

@@ -59,9 +59,7 @@ internal class TermReader(private val cursor: Cursor, private val readBlock: () 
 
     private fun bracketed(): Term {
         val start = cursor.start
-        cursor.expect("(")
-        val term = formula()
-        cursor.expect(")", "a closing bracket")
+        val term = cursor.between("(", ")", "a closing bracket") { formula() }
         return Bracketed(cursor.since(start), term)
     }
 

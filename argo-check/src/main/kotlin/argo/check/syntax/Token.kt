@@ -13,7 +13,18 @@ class Token(val kind: TokenKind, val text: String, val span: Span) {
 
     fun isKeyword(word: String): Boolean = kind == TokenKind.KEYWORD && text == word
 
+    /** True for an opening bracket or brace. */
+    val isOpening: Boolean get() = kind == TokenKind.SYMBOL && text in OPENING
+
+    /** True for a closing bracket or brace. */
+    val isClosing: Boolean get() = kind == TokenKind.SYMBOL && text in CLOSING
+
     override fun toString(): String = text
+
+    private companion object {
+        val OPENING = setOf("(", "[", "{")
+        val CLOSING = setOf(")", "]", "}")
+    }
 }
 
 /**

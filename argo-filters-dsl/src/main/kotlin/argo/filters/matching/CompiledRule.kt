@@ -30,7 +30,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     /** True if a condition has two limits. */
     val hasLatches: Boolean = compiled.any { it.isLatch }
 
-    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: neither namespace nor negation. */
+    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: no namespace and no negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -39,7 +39,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
 
     /**
      * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
-     * tell which conditions with two limits have held so far; null: none.
+     * say which conditions with two limits have held so far; null: none have.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail, latches) }

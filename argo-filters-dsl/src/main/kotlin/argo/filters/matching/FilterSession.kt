@@ -4,7 +4,8 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last ones of sensors.
+ * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last percepts of each
+ * sensor.
  *
  * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
  * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
@@ -37,8 +38,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Forgets the percepts that rates held back, and the last ones of each sensor. Call this if later percepts come from another time or
-     * place, and must not be compared with earlier ones.
+     * Forgets the percepts that rates held back, and the last percepts of each sensor. Call this if later percepts come at another time or
+     * from another board, and must not be compared with earlier ones.
      */
     fun forget() {
         rates = RateMemory(filter)
@@ -67,7 +68,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     /**
      * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
-     * is the last perception with each due percept in the place of its predecessor.
+     * is the last perception, with each due percept put in the place of its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
@@ -115,7 +116,10 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return FilteredPercepts(picture.received, kept, seen, criticalOf(matcher), holds.minOfOrNull { it.dueMs })
     }
 
-    /** Returns the percept that the agent perceives for the one at [place]; null: none. Adds rules that hold it back to [holds]. */
+    /**
+     * Returns the percept that the agent perceives for the percept at [place]; null: it perceives none. Adds rules that hold it back to
+     * [holds].
+     */
     private fun decided(matcher: PerceptMatcher, place: Int, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val received = picture.received[place]
         val isStandIn = picture.standing[place] !== received && !matcher.isCritical(textOf(received), latches)

@@ -1,6 +1,6 @@
 package argo.filters.matching
 
-/** Remembers for which sensors a condition with two limits holds: their number has met the first limit, and not yet reached the second. */
+/** Remembers for which sensors a condition with two limits holds: their number has met the first limit, but not yet reached the second. */
 internal class Latches {
     private val memory = SensorMemory<Unit>()
 

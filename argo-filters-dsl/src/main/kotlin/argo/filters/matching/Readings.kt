@@ -30,7 +30,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
             this.ms = ms
         }
 
-        /** Returns true if a sensor can show [number] at [nowMs] after this reading, with a change of at most [rate] a second. */
+        /** Returns true if a sensor can show [number] at [nowMs] after this reading, if it changes by at most [rate] a second. */
         fun canBecome(number: Double, nowMs: Long, rate: Double) = abs(number - this.number) * MS_PER_SECOND <= rate * (nowMs - ms)
     }
 
@@ -99,7 +99,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
     private companion object {
         const val MS_PER_SECOND = 1_000
 
-        /** So many percepts in a row confirm each other if each can follow the one before. */
+        /** This number of percepts in a row confirm each other if each can follow the one before. */
         const val CONFIRMING = 3
 
         /** The standard deviation of normal noise, in median absolute deviations. */

@@ -14,7 +14,7 @@ import java.util.BitSet
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** By [rule], for this [reason], the percept [standing] would stand for another one. */
+    /** By [rule], for this [reason], the percept [standing] would stand for another percept. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Sensor<P>>()
@@ -49,7 +49,10 @@ internal class Smoother<P : Any>(
         }
     }
 
-    /** Takes the [percept] if its text shows that it is of this sensor, which saves looking for its rule and its sensor; else null. */
+    /**
+     * Takes the [percept] if its text shows that it is of this sensor, which saves the search for its rule and its sensor; else returns
+     * null.
+     */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
         val number = if (to > from && SensorMemory.isRoomFor(text.length)) DecimalReader.plain(text, from, to) else Double.NaN
@@ -76,7 +79,10 @@ internal class Smoother<P : Any>(
     private fun newSensor(rule: CompiledRule, text: String, from: Int, to: Int, key: SensorKey) =
         Sensor(Readings(checkNotNull(rule.smoothing), annotated), text.substring(0, from), text.substring(to), key)
 
-    /** Returns what [found] makes of the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule does. */
+    /**
+     * Returns what [found] returns for the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule smooths
+     * it.
+     */
     private inline fun <T> read(
         text: String, none: T, found: (rule: CompiledRule, known: Sensor<P>?, from: Int, to: Int, number: Double) -> T,
     ): T {
@@ -105,6 +111,6 @@ private class Sensor<P : Any>(val readings: Readings<P>, private val before: Str
     /** The index at which the number begins. */
     val from: Int get() = before.length
 
-    /** Returns the end of what may be the number in [text]; 0 if the rest of [text] is another one. */
+    /** Returns the end of the text that may be the number in [text]; 0 if the rest of [text] belongs to another sensor. */
     fun numberEnd(text: String): Int = if (text.startsWith(before) && text.endsWith(behind)) text.length - behind.length else 0
 }

@@ -37,7 +37,7 @@ internal class SortedWindow(private val size: Int) {
         order[i] = place
     }
 
-    /** Returns the place of the number in the middle, of two the newer one. */
+    /** Returns the place of the middle number; of two, the newer one. */
     fun median(): Int {
         val upper = order[count / 2]
         if (count % 2 == 1) return upper
@@ -50,10 +50,10 @@ internal class SortedWindow(private val size: Int) {
     /** Returns the number at [place]. */
     operator fun get(place: Int): Double = numbers[place]
 
-    /** Returns the number in the middle, of two the greater one. */
+    /** Returns the middle number; of two, the greater one. */
     fun middle(): Double = numbers[order[count / 2]]
 
-    /** Returns the median of the distances to [middle], of two the greater one, by a search outwards from there. */
+    /** Returns the median of the distances to [middle] by a search outwards from there; of two, the greater one. */
     fun medianDistance(): Double {
         var low = count / 2
         var high = low

@@ -29,7 +29,7 @@ internal class Entrance(
     /** The number of the fleet's computers; 0: not known. */
     val computers: Int get() = hosts.size
 
-    /** @throws IOException if this computer must not connect with the one that shows [other] and [certificate] */
+    /** @throws IOException if this computer must not connect with the computer that shows [other] and [certificate] */
     fun check(other: Greeting, certificate: X509Certificate?) {
         val refusal = greeting.refusalOf(other)
             ?: "${other.name} is none of ${hosts.keys.joinToString()}".takeIf { hosts.isNotEmpty() && other.name !in hosts }

@@ -15,12 +15,12 @@ import kotlin.random.Random
 /** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
     /**
-     * Starts [agent] with [mind]; null: the agent's mind is not known, or this is its first start. If starting fails, calls
-     * [Leases.cannotStart] later.
+     * Starts [agent] with [mind], later; null: the agent's mind is not known, or this is its first start. If starting fails, calls
+     * [Leases.cannotStart]. If [reign] has ended by then, calls [Leases.giveUp].
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
-    /** Stops [agent] at once. */
+    /** Stops [agent], later. Its reign is over already, so that it does nothing more. */
     fun stop(agent: String)
 }
 
@@ -66,7 +66,7 @@ internal class Leases(
     fun take(from: String, message: FleetMessage) = synchronized(this) {
         when (message) {
             is Claim -> held(message.agent).answer(from, message)
-            is Grant -> held(message.agent).lease.take(from, message)
+            is Grant -> held(message.agent).take(from, message)
             is MindNews -> held(message.agent).take(message)
             else -> throw Refused("not_leased", "$message is not about an agent that outlives its computer")
         }
@@ -85,10 +85,11 @@ internal class Leases(
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So of the computers that grant the
-     * agent to its next computer, at least one has the mind. Any thread.
+     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So at least one of the computers that
+     * grant the agent to its next computer has the mind. Any thread.
      *
-     * @return completed when all of these have the mind; fails if one has not got it, which the log tells once until it has
+     * @return completed when all of these computers have the mind; fails if one has not got it, which the log reports once until that
+     * computer has it
      */
     fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }
@@ -105,9 +106,12 @@ internal class Leases(
 
     /** Gives up [agent] in its [reign], since this computer cannot run it, so that the next computer runs it. Any thread. */
     fun cannotStart(agent: String, reign: Reign) {
-        synchronized(this) { held(agent).giveUp(reign) }
+        giveUp(agent, reign)
         fleet.cannotStart(agent)
     }
+
+    /** Gives up [agent] in its [reign]; this computer may claim the agent again. Any thread. */
+    fun giveUp(agent: String, reign: Reign) = synchronized(this) { held(agent).giveUp(reign) }
 
     override fun close() {
         timer.shutdownNow()
@@ -115,7 +119,7 @@ internal class Leases(
 
     private fun tick() = try {
         synchronized(this) { held.values.filter { fleet.here in it.computers }.forEach { it.tick() } }
-    } catch (unexpected: RuntimeException) { // an exception would end the timer
+    } catch (@Suppress("TooGenericExceptionCaught") unexpected: Throwable) { // an exception would end the timer
         log.log(Level.SEVERE, unexpected) { "agents that outlive their computers: ${unexpected.message}" }
     }
 
@@ -147,6 +151,10 @@ internal class Leases(
                 agents.stop(agent)
             }
             if (reign != null || isMine()) claim()
+        }
+
+        fun take(computer: String, grant: Grant) {
+            lease.take(computer, grant)
             if (reign == null && lease.ownTerm != 0L && lease.mayRun()) begin()
         }
 
@@ -177,7 +185,7 @@ internal class Leases(
 
         private fun claim() {
             val claim = lease.claim(agent).copy(mindTerm = mind?.term ?: 0, mindNumber = mind?.number ?: 0)
-            lease.take(fleet.here, lease.answer(fleet.here, claim))
+            take(fleet.here, lease.answer(fleet.here, claim))
             fleet.sendOthers(claim)
         }
     }

@@ -48,11 +48,41 @@ class LeaseSpec : FunSpec({
         world.leases[1].ownTerm shouldBeGreaterThan first
     }
 
+    test("a computer whose term most have granted to another gets the agent in a later term, when that other is silent") {
+        val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
+        world.cut(0)
+        world.claim(0) // it promises itself the term that the others grant now
+        repeat(3) { // messages may be lost
+            world.claim(1)
+            world.advance(30 * MS)
+        }
+        world.running() shouldBe listOf(1)
+        world.advance(2 * Lease.DURATION_NS)
+        world.join(0)
+        repeat(10) {
+            world.claim(0)
+            world.advance(30 * MS)
+        }
+        world.running() shouldBe listOf(0)
+    }
+
     test("a computer that has just begun grants nothing, since it may have promised it before") {
         val world = World(3, Random(1))
         world.claim(0)
         world.advance(10 * MS)
         world.running() shouldBe emptyList()
+    }
+
+    test("whatever has happened before, a computer that asks again and again gets it while most hear it") {
+        checkAll(200, Arb.long()) { seed ->
+            val random = Random(seed)
+            val computers = random.nextInt(3, 6)
+            val world = World(computers, random)
+            repeat(random.nextInt(40)) { world.step() }
+            (0..computers / 2).forEach(world::join)
+            (computers / 2 + 1..<computers).forEach(world::cut)
+            withClue("seed $seed") { world.isGranted(0) shouldBe true }
+        }
     }
 
     test("however messages are delayed, lost and doubled, computers cut off, stopped and started anew, never two may run it") {
@@ -90,6 +120,17 @@ private class World(private val computers: Int, private val random: Random) {
 
     fun cut(computer: Int) {
         isCut[computer] = true
+    }
+
+    fun join(computer: Int) {
+        isCut[computer] = false
+    }
+
+    /** Has the computer [from] claim as [Leases] do; returns whether it has the right at last. */
+    fun isGranted(from: Int): Boolean = (1..40).any {
+        claim(from)
+        advance(300 * MS)
+        running() == listOf(from)
     }
 
     fun advance(ns: Long) {

@@ -2,6 +2,7 @@ package argo.lsp.agents
 
 import argo.check.project.BoardAction
 import argo.check.syntax.Span
+import argo.lsp.language.completion
 import argo.lsp.project.Occurrence
 import argo.lsp.project.Project
 import argo.lsp.project.Source
@@ -12,10 +13,6 @@ import org.eclipse.lsp4j.CompletionItem
 import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.CompletionItemLabelDetails
 import org.eclipse.lsp4j.InsertTextFormat
-import org.eclipse.lsp4j.MarkupContent
-import org.eclipse.lsp4j.MarkupKind
-import org.eclipse.lsp4j.TextEdit
-import org.eclipse.lsp4j.jsonrpc.messages.Either
 
 /** The words that may stand at a cursor in an agent's program. */
 internal class Completions(private val project: Project, private val source: Source, offset: Int, private val words: Words) {
@@ -74,7 +71,7 @@ internal class Completions(private val project: Project, private val source: Sou
     /** Returns a call of the symbol at [place]. The arguments at [place] become placeholders. */
     private fun call(place: Occurrence): String {
         val arguments = place.literal.arguments.mapIndexed { at, argument -> "\${${at + 1}:${snippetText(textOf(argument.span, place))}}" }
-        return place.symbol.functor + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
+        return callOf(place.symbol.functor, arguments)
     }
 
     private fun textOf(span: Span, place: Occurrence): String =
@@ -88,13 +85,11 @@ internal class Completions(private val project: Project, private val source: Sou
     private fun actions(): List<CompletionItem> = words.actions.map { (name, page) -> item(name, CompletionItemKind.Function, page) }
 
     private fun item(label: String, kind: CompletionItemKind, meaning: String, arguments: Int = 0, insert: String = label) =
-        CompletionItem(label).apply {
-            this.kind = kind
+        completion(label, kind, meaning, source.text, typing.word).apply {
             if (arguments > 0) labelDetails = CompletionItemLabelDetails().apply { detail = "/$arguments" }
-            if (meaning.isNotEmpty()) documentation = Either.forRight(MarkupContent(MarkupKind.MARKDOWN, meaning))
             val isSnippet = insert != label && words.hasSnippets
             insertTextFormat = if (isSnippet) InsertTextFormat.Snippet else InsertTextFormat.PlainText
-            textEdit = Either.forLeft(TextEdit(source.text.range(typing.word), if (isSnippet) insert else label))
+            if (isSnippet) textEdit.left.newText = insert
         }
 
     private companion object {
@@ -108,8 +103,11 @@ internal class Completions(private val project: Project, private val source: Sou
                     else -> "\${${at + 1}:_}"
                 }
             }
-            return kind.functor() + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
+            return callOf(kind.functor(), arguments)
         }
+
+        fun callOf(functor: String, arguments: List<String>) =
+            functor + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
 
         /** Returns a variable with the name of its unit, such as `Cm`. */
         fun variableOf(unit: String) = unit.filter(Char::isLetter).replaceFirstChar(Char::uppercase).ifEmpty { "Value" }

@@ -2,13 +2,13 @@ package argo.lsp.agents
 
 import argo.check.syntax.Literal
 import argo.check.syntax.TokenKind
+import argo.lsp.language.markdown
 import argo.lsp.project.Occurrence
 import argo.lsp.project.Project
 import argo.lsp.project.Source
 import argo.lsp.project.Subject
+import argo.tools.command.counted
 import org.eclipse.lsp4j.Hover
-import org.eclipse.lsp4j.MarkupContent
-import org.eclipse.lsp4j.MarkupKind
 import kotlin.io.path.name
 
 /** The explanation of the word under the cursor. [lastValues] returns a running agent's newest percepts with a functor and arity. */
@@ -28,7 +28,7 @@ internal class Hovers(
             around?.functor == "error" -> words.errors[literal.functor]
             else -> command(around, literal) ?: symbol(literal)
         } ?: return null
-        return Hover(MarkupContent(MarkupKind.MARKDOWN, text), source.text.range(token.span))
+        return Hover(markdown(text), source.text.range(token.span))
     }
 
     private fun command(around: Literal?, literal: Literal): String? {
@@ -81,7 +81,5 @@ internal class Hovers(
 
     private companion object {
         val COMMANDS = setOf("act", "can")
-
-        fun counted(count: Int, noun: String) = if (count == 1) "1 $noun" else "$count ${noun}s"
     }
 }

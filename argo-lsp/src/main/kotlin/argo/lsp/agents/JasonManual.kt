@@ -1,19 +1,17 @@
 package argo.lsp.agents
 
 import argo.check.rules.INTERNAL_ACTION_NAMES
-import java.io.File
-import java.net.URL
+import argo.tools.replay.filesOn
 import java.net.URLClassLoader
-import java.nio.file.Path
-import kotlin.io.path.isDirectory
-import kotlin.io.path.listDirectoryEntries
 
 /**
  * The names and documentation of Jason's internal actions. The documentation comes from Jason's classes. [classPath] is a class path with
  * Jason; null: there is no documentation.
  */
 internal class JasonManual(classPath: String?) {
-    private val loader = classPath?.let { URLClassLoader(urlsOf(it), ClassLoader.getPlatformClassLoader()) }
+    private val loader = classPath?.let { path ->
+        URLClassLoader(filesOn(path).map { it.toUri().toURL() }.toTypedArray(), ClassLoader.getPlatformClassLoader())
+    }
 
     /** The pages of actions in Markdown, by names such as `.print`. */
     val actions: Map<String, String> = INTERNAL_ACTION_NAMES.filter { it.startsWith(".") }.associateWith { page(it).orEmpty() }
@@ -31,12 +29,5 @@ internal class JasonManual(classPath: String?) {
         fun said(part: String) = manual.annotationClass.java.getMethod(part).invoke(manual)
         val arguments = (said("argsHint") as Array<*>).map { "$it" }.filter(String::isNotBlank)
         return "`${said("literal")}`\n\n${said("hint")}" + arguments.joinToString("") { "\n- $it" }
-    }
-
-    private companion object {
-        fun urlsOf(classPath: String): Array<URL> = classPath.split(File.pathSeparator).filter(String::isNotEmpty).flatMap { part ->
-            val folder = Path.of(part.removeSuffix("*"))
-            if (part.endsWith("*") && folder.isDirectory()) folder.listDirectoryEntries("*.jar") else listOf(Path.of(part))
-        }.map { it.toUri().toURL() }.toTypedArray()
     }
 }

@@ -34,7 +34,7 @@ private class Layout(private val program: Program) {
     private var line = 0
     private var nesting = 0
 
-    /** True behind a `<-` that begins a line. The statements then stand below each other. */
+    /** True behind a `<-` that begins a line. The statements then stand one below the other. */
     private var isBelowArrow = false
 
     init {
@@ -66,7 +66,7 @@ private class Layout(private val program: Program) {
         return changes.filter { text.substring(it.span.start, it.span.end) != it.text }
     }
 
-    /** Returns the line breaks between two tokens, without blanks before them, and the indentation of the [second][at] token. */
+    /** Returns the line breaks between two tokens, without blanks before the breaks, and the indentation of the [second][at] token. */
     private fun lineBreak(written: String, at: Int): String {
         val breaks = BREAK.findAll(written).joinToString("") { it.value }
         val token = tokens[at]
@@ -77,8 +77,7 @@ private class Layout(private val program: Program) {
     private fun indentation(at: Int): Int {
         val next = tokens.subList(at, tokens.size).firstOrNull { it.kind != TokenKind.COMMENT } ?: return 0
         beginnings[next.span.start]?.let { return INDENT * it }
-        val closes = tokens[at].text in CLOSING
-        val openLines = (if (closes) open.dropLast(1) else open).distinct().size
+        val openLines = (if (tokens[at].isClosing) open.dropLast(1) else open).distinct().size
         val isArrow = tokens[at].isSymbol("<-")
         return INDENT * (nesting + 1 + openLines) + if (isBelowArrow && !isArrow) ARROW else 0
     }
@@ -89,10 +88,9 @@ private class Layout(private val program: Program) {
             open.clear()
             isBelowArrow = false
         }
-        if (token.kind != TokenKind.SYMBOL) return
-        if (token.text == "<-" && open.isEmpty()) isBelowArrow = isFirst
-        if (token.text in OPENING) open += line
-        if (token.text in CLOSING) open.removeLastOrNull()
+        if (token.isSymbol("<-") && open.isEmpty()) isBelowArrow = isFirst
+        if (token.isOpening) open += line
+        if (token.isClosing) open.removeLastOrNull()
     }
 
     private fun between(left: Token, right: Token, written: String): String {
@@ -114,8 +112,6 @@ private class Layout(private val program: Program) {
         /** The width of `<- `. */
         const val ARROW = 3
         val BREAK = Regex("\r\n|\n|\r")
-        val OPENING = setOf("(", "[", "{")
-        val CLOSING = setOf(")", "]", "}")
         val TIGHT_BEHIND = setOf("(", "[")
         val TIGHT_BEFORE = setOf(")", "]", ",", ";")
         val SPACED = setOf("<-", ":-", ":", "<:", "&", ">", "<", ">=", "<=", "==", "\\==", "=", "=..")

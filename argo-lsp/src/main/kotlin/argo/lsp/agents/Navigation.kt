@@ -30,16 +30,14 @@ internal class Navigation(private val project: Project, private val source: Sour
             val registered = project.robot.registered.filter { it.meaning.name == literal.functor }
             if (registered.isNotEmpty()) return registered.map(::location)
         }
-        return occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
+        return source.occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
     }
 
     /** Returns all places of the belief or goal at [offset]; includes its definitions if [withDefinitions]. */
     fun references(offset: Int, withDefinitions: Boolean): List<Location> {
-        val symbol = occurrenceAt(offset)?.symbol ?: return emptyList()
+        val symbol = source.occurrenceAt(offset)?.symbol ?: return emptyList()
         return places { it.symbol == symbol && (withDefinitions || !it.isDefinition) }
     }
-
-    fun occurrenceAt(offset: Int): Occurrence? = source.occurrences.find { it.name.touches(offset) }
 
     private fun definitionsOf(occurrence: Occurrence): List<Location> {
         val symbol = occurrence.symbol

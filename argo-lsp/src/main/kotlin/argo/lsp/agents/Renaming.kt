@@ -16,7 +16,7 @@ internal class Renaming(private val project: Project, private val source: Source
      * @throws RefusedException if the name also comes from outside of the agent's programs
      */
     fun renamedAt(offset: Int): Occurrence? {
-        val occurrence = source.occurrences.find { it.name.touches(offset) } ?: return null
+        val occurrence = source.occurrenceAt(offset) ?: return null
         val symbol = occurrence.symbol
         val described = project.robot.described.find { it.meaning.functor() == symbol.functor }
         if (described != null) {

@@ -8,7 +8,7 @@ import argo.check.syntax.TokenKind
 /** An open call around a place. [argument] is the number of the argument at the place, from 0. */
 internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
 
-/** The parts of a program that differ in the words expected there. */
+/** The kinds of places in a program, by the words that are expected there. */
 internal enum class Region {
     /** Between components. */
     TOP,
@@ -60,8 +60,8 @@ internal class Typing(private val program: Program, private val offset: Int) {
     private fun hasOutside(symbol: String): Boolean {
         var depth = 0
         return before.any { token ->
-            if (token.kind == TokenKind.SYMBOL && token.text in OPENING) depth++
-            if (token.kind == TokenKind.SYMBOL && token.text in CLOSING) depth--
+            if (token.isOpening) depth++
+            if (token.isClosing) depth--
             depth <= 0 && token.isSymbol(symbol)
         }
     }
@@ -74,8 +74,8 @@ internal class Typing(private val program: Program, private val offset: Int) {
         for (at in before.indices.reversed()) {
             val token = before[at].takeIf { it.kind == TokenKind.SYMBOL } ?: continue
             when {
-                token.text in CLOSING -> closed++
-                token.text in OPENING && closed > 0 -> closed--
+                token.isClosing -> closed++
+                token.isOpening && closed > 0 -> closed--
                 token.text == "(" -> {
                     val name = before.getOrNull(at - 1)?.takeIf { it.kind == TokenKind.ATOM }?.text.orEmpty()
                     found += OpenCall(name, commas, isInList)
@@ -94,7 +94,5 @@ internal class Typing(private val program: Program, private val offset: Int) {
 
     private companion object {
         val PREFIXES = setOf("!", "!!", "?", "+", "-", "^")
-        val OPENING = setOf("(", "[", "{")
-        val CLOSING = setOf(")", "]", "}")
     }
 }

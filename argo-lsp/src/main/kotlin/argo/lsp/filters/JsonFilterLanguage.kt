@@ -2,6 +2,7 @@ package argo.lsp.filters
 
 import argo.check.syntax.Span
 import argo.lsp.language.Language
+import argo.lsp.language.completion
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
 import org.eclipse.lsp4j.CompletionItemKind
@@ -34,10 +35,5 @@ internal class JsonFilterLanguage(private val find: (Text) -> List<Diagnostic>, 
         val word = text.content.substring(place.begin, end)
         if (place.isName) return JsonFilterSchema.member(place.path + word)?.let(::hoverOf)
         return words(text).percepts[word]?.takeIf { place.path.lastOrNull() == PREDICATE }?.let { hoverOf(Named(word, it)) }
-    }
-
-    private companion object {
-        const val PREDICATE = "predicate"
-        const val REFLEX = "reflex"
     }
 }

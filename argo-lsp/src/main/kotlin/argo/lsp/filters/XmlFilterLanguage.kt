@@ -2,6 +2,7 @@ package argo.lsp.filters
 
 import argo.check.syntax.Span
 import argo.lsp.language.Language
+import argo.lsp.language.completion
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
 import org.eclipse.lsp4j.CompletionItemKind
@@ -52,10 +53,5 @@ internal class XmlFilterLanguage(private val find: (Text) -> List<Diagnostic>, p
             else -> null
         }
         return found?.let(::hoverOf)
-    }
-
-    private companion object {
-        const val PREDICATE = "predicate"
-        const val REFLEX = "reflex"
     }
 }

@@ -5,6 +5,8 @@ import argo.check.syntax.Span
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 import argo.lsp.language.Language
+import argo.lsp.language.completion
+import argo.lsp.language.markdown
 import argo.lsp.project.Project
 import argo.lsp.project.fileOf
 import argo.lsp.text.Text
@@ -14,13 +16,9 @@ import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.DocumentSymbol
 import org.eclipse.lsp4j.Hover
 import org.eclipse.lsp4j.Location
-import org.eclipse.lsp4j.MarkupContent
-import org.eclipse.lsp4j.MarkupKind
 import org.eclipse.lsp4j.Position
 import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.SymbolKind
-import org.eclipse.lsp4j.TextEdit
-import org.eclipse.lsp4j.jsonrpc.messages.Either
 import java.nio.file.Path
 
 /** Jason's project files, `.mas2j`. */
@@ -48,7 +46,7 @@ internal class ProjectFileLanguage(
 
     override fun hover(text: Text, offset: Int): Hover? {
         val token = read(text).tokens.find { it.span.touches(offset) && it.text in OPTIONS } ?: return null
-        return Hover(MarkupContent(MarkupKind.MARKDOWN, "`${token.text}`\n\n${OPTIONS[token.text]}"), text.range(token.span))
+        return Hover(markdown("`${token.text}`\n\n${OPTIONS[token.text]}"), text.range(token.span))
     }
 
     /** Leads from an agent's name to its program. */
@@ -70,11 +68,8 @@ internal class ProjectFileLanguage(
 
     private fun read(text: Text) = MasFile(fileOf(text.uri) ?: Path.of(text.uri.substringAfterLast('/')), text.content)
 
-    private fun item(word: String, meaning: String, text: Text, span: Span) = CompletionItem(word).apply {
-        kind = CompletionItemKind.Keyword
-        if (meaning.isNotEmpty()) documentation = Either.forRight(MarkupContent(MarkupKind.MARKDOWN, meaning))
-        textEdit = Either.forLeft(TextEdit(text.range(span), word))
-    }
+    private fun item(word: String, meaning: String, text: Text, span: Span) =
+        completion(word, CompletionItemKind.Keyword, meaning, text, span)
 
     private companion object {
         const val ARCHITECTURE = "agentArchClass"

@@ -94,13 +94,11 @@ internal fun placeIn(plan: Plan): Place {
     return Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
 }
 
-/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative one is `file:robot.asl`. */
+/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative path is `file:robot.asl`. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
-internal fun mailOf(message: Message, failure: String? = null) = Mail(
-    message.ilForce, message.sender, message.receiver,
-    contentText(message.propCont), message.msgId, message.inReplyTo, failure,
-)
+internal fun mailOf(message: Message) =
+    Mail(message.ilForce, message.sender, message.receiver, contentText(message.propCont), message.msgId, message.inReplyTo)
 
 /** The course of a cycle without its texts. Immutable. */
 internal class CourseNote(

@@ -74,7 +74,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns the reason why no replay can read the program with [names], namely that the project's code reads a directive; null: none. */
+/** Returns why no replay can read the program with [names]: the project's code reads a directive. Null: a replay can read it. */
 internal fun foreignDirective(names: ProgramNames): String? =
     (names.directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
         val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive

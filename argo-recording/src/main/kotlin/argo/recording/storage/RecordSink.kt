@@ -1,24 +1,35 @@
 package argo.recording.storage
 
+import java.util.concurrent.ConcurrentHashMap
+
 /**
  * Takes the records of a recording. Only [flush] and [close] wait for a disk, since reasoning and sensing threads call the other functions.
- * Any thread may call. Records offered by one thread are stored in their order.
+ * Any thread may call. Records offered by one thread are stored in their order. They wait in memory for the recording's own writing thread.
  */
-interface RecordSink : AutoCloseable {
+abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoCloseable {
+    private val channels = ConcurrentHashMap<String, RecordChannel>()
+    internal val waiting = WaitingRecords(maxWaitingBytes)
+
+    /** The reason why storing has ended before [close], in words; null: it has not. */
+    @Volatile
+    var trouble: String? = null
+        private set
+
     /**
      * Returns a channel for messages in JSON; for a known topic, its existing channel.
      *
      * @param topic the channel's name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
      */
-    fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel
+    fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
+        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
 
     /**
      * Offers a message for storing.
      *
      * @param timeNs the time of the message, in ns, since 1970 or of another clock for all messages; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports it itself
+     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, which it reports itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
@@ -26,7 +37,7 @@ interface RecordSink : AutoCloseable {
      * Offers a message for storing, like the other [offer], but another thread makes its JSON.
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
-     * @param beside makes further messages later, behind this one
+     * @param beside makes further messages later, which follow this one
      * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
      */
     fun offer(
@@ -35,22 +46,33 @@ interface RecordSink : AutoCloseable {
         bytes: Int,
         beside: () -> List<Encoded> = ::emptyList,
         encode: () -> ByteArray,
-    ): Boolean
+    ): Boolean {
+        require(timeNs >= 0) { "a time before 0: $timeNs" }
+        return waiting.offer(Waiting.Message(channel, timeNs, bytes, beside, encode))
+    }
 
     /** Adds a file, such as a program's text. A file is never dropped. */
-    fun attach(name: String, mediaType: String, data: ByteArray)
+    fun attach(name: String, mediaType: String, data: ByteArray) {
+        waiting.add(Waiting.Attachment(name, mediaType, data))
+    }
 
     /** Adds names and values under [name], such as versions. Metadata are never dropped. */
-    fun metadata(name: String, values: Map<String, String>)
-
-    /** The reason why storing has ended before [close], in words; null: it has not. */
-    val trouble: String?
+    fun metadata(name: String, values: Map<String, String>) {
+        waiting.add(Waiting.Metadata(name, values))
+    }
 
     /** Waits until everything offered before is stored, or storing has ended. */
-    fun flush()
+    fun flush() = waiting.flush()
 
-    /** Stores everything offered before, and ends the recording. Records offered later are not stored. May be called twice. */
-    override fun close()
+    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which reports this, to [warn]. */
+    internal fun giveUp(sentence: String, warn: (String) -> Unit) {
+        trouble = sentence
+        warn(sentence)
+        waiting.giveUp()
+    }
+
+    /** Stores everything offered before, and ends the recording. Records offered afterwards are not stored. May be called twice. */
+    abstract override fun close()
 }
 
 /** A message of [channel] at [timeNs] in ns, with the bytes of its JSON in UTF-8. */

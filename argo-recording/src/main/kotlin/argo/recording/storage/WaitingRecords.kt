@@ -1,13 +1,12 @@
 package argo.recording.storage
 
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /** A record that waits for the writing thread, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages behind it. */
+    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages that follow it. */
     class Message(
         val channel: RecordChannel,
         val timeNs: Long,
@@ -17,10 +16,10 @@ internal sealed interface Waiting {
     ) : Waiting {
         constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, encode = gap::json)
 
-        /** Returns the message with its JSON, or a gap if [encode] fails, and the messages behind it. */
+        /** Returns the message with its JSON, or a gap if [encode] fails, followed by the messages of [beside]. */
         fun encoded(): List<Encoded> = try {
             listOf(Encoded(channel, timeNs, encode())) + beside()
-        } catch (_: Throwable) { // even a stack overflow by a deep term; the writing thread must go on
+        } catch (_: Throwable) { // even a stack overflow by a deep term, since the writing thread must go on
             listOf(Gap.of(timeNs).encoded())
         }
     }
@@ -30,47 +29,6 @@ internal sealed interface Waiting {
     class Metadata(val name: String, val values: Map<String, String>) : Waiting
 
     class Flush(val done: CountDownLatch) : Waiting
-}
-
-/** A recording whose records wait for its own writing thread. */
-abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSink {
-    private val channels = ConcurrentHashMap<String, RecordChannel>()
-    internal val waiting = WaitingRecords(maxWaitingBytes)
-
-    @Volatile
-    final override var trouble: String? = null
-        private set
-
-    final override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
-        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
-
-    final override fun offer(
-        channel: RecordChannel,
-        timeNs: Long,
-        bytes: Int,
-        beside: () -> List<Encoded>,
-        encode: () -> ByteArray,
-    ): Boolean {
-        require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, bytes, beside, encode))
-    }
-
-    final override fun attach(name: String, mediaType: String, data: ByteArray) {
-        waiting.add(Waiting.Attachment(name, mediaType, data))
-    }
-
-    final override fun metadata(name: String, values: Map<String, String>) {
-        waiting.add(Waiting.Metadata(name, values))
-    }
-
-    final override fun flush() = waiting.flush()
-
-    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which says so, to [warn]. */
-    internal fun giveUp(sentence: String, warn: (String) -> Unit) {
-        trouble = sentence
-        warn(sentence)
-        waiting.giveUp()
-    }
 }
 
 /**
@@ -116,8 +74,8 @@ internal class WaitingRecords(private val maxBytes: Long) {
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, a caller waits in
-     * [flush], or this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, if a caller waits in
+     * [flush], or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
      * empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {

@@ -58,13 +58,11 @@ internal class Trial(
     }
 }
 
-/** Perceives the recorded percepts. From the cycle with the index [from] on, the agent gets them changed by [changed]. */
-internal class AlteredSenses(private val from: Long, private val changed: (List<Literal>) -> List<Literal>) : Senses {
-    private val recorded = RecordedSenses()
-
-    override fun begin(percepts: List<Literal>) = recorded.begin(percepts)
-
+/** Perceives the recorded percepts. From the cycle with the index [from] on, [changed] changes the agent's percepts. */
+internal class AlteredSenses(
+    private val from: Long,
+    private val changed: (List<Literal>) -> List<Literal>,
+    private val recorded: Senses = RecordedSenses(),
+) : Senses by recorded {
     override fun perceive(cycle: Cycle): List<Literal>? = recorded.perceive(cycle)?.let { if (cycle.index < from) it else changed(it) }
-
-    override fun takeNewlyCritical(): List<Literal> = recorded.takeNewlyCritical()
 }

@@ -52,7 +52,7 @@ class Why(private val recording: Recording) : AutoCloseable {
      * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
      * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
-     * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
+     * @throws RecordingException like [answer], and if [percept] is no percept, or is the recorded percept itself
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
@@ -65,7 +65,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Explains why [agent] did not issue the command of [question] up to the question's time, or else to the end of the recording.
+     * Explains why [agent] did not issue the command of [question] up to the question's time; without a time, up to the end of the
+     * recording.
      * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
@@ -86,13 +87,9 @@ class Why(private val recording: Recording) : AutoCloseable {
      * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see the step.
      * @throws RecordingException like [answer]
      */
-    internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? {
-        requireReplayed(agent, cycle.index)
-        val filters = filtersOf(agent)
-        return trial(agent, cyclesOf(agent)).asRecorded(cycle.index) { inputs, answers -> Trace(inputs, answers, clock, filters) }.sent[id]
-    }
+    internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? = trace(agent, cycle.index).sent[id]
 
-    /** Returns the message of [cause], which [agent] has taken. */
+    /** Returns the message that is the [cause] and that [agent] has taken. */
     internal fun mailOf(agent: String, cause: MessageCause): Mail? = cyclesOf(agent).asSequence()
         .filter { clock.seconds(it.ns) == cause.seconds }.flatMap { it.input.mail }.find { it.id == cause.id && it.sender == cause.sender }
 
@@ -100,14 +97,15 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     internal fun seconds(ns: Long): Double = clock.seconds(ns)
 
-    private fun causeOf(command: RecordedCommand): StepCause? {
-        val cycles = cyclesOf(command.agent)
-        requireReplayed(command.agent, command.index)
-        val filters = filtersOf(command.agent)
-        val trace = trial(command.agent, cycles).asRecorded(command.index) { inputs, answers ->
-            Trace(inputs, answers, clock, filters)
-        }
-        return trace.issued.getOrNull(replayedBefore(command))?.cause
+    private fun causeOf(command: RecordedCommand): StepCause? =
+        trace(command.agent, command.index).issued.getOrNull(replayedBefore(command))?.cause
+
+    /** Replays [agent] up to the cycle with the index [last]. */
+    private fun trace(agent: String, last: Long): Trace {
+        val cycles = cyclesOf(agent)
+        requireReplayed(agent, last)
+        val filters = filtersOf(agent)
+        return trial(agent, cycles).asRecorded(last) { inputs, answers -> Trace(inputs, answers, clock, filters) }
     }
 
     /** Replays the agent with [percept] in place of [of]. Returns null if the agent perceived just [percept]. */

@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Plays [bag] in the time of [clock], from the first subscription to one of its topics on. A message that is earlier than the one before it
- * in the file comes together with that. Safe for use by several threads.
+ * Plays [bag] in the time of [clock], beginning with the first subscription to one of its topics. A message that is earlier than the
+ * message before it in the file comes together with that message. Safe for use by several threads.
  *
  * @param worker reads the file and does the calls of the other functions, one task at a time
  * @param isWanted returns true if the messages of a topic are to be published
@@ -26,7 +26,7 @@ internal class BagPlayer(
     private val tell: (String) -> Unit,
 ) : AutoCloseable {
     private val hasBegun = AtomicBoolean()
-    private val messages = bag.messages() // this and next belong to the worker
+    private val messages = bag.messages() // this and the next field belong to the worker
     private var next: Pair<Long, McapMessage>? = null
     private var startNanos = 0L
 
@@ -45,7 +45,7 @@ internal class BagPlayer(
         play()
     }
 
-    /** Publishes the messages that are due, and comes back when the next one is. */
+    /** Publishes the messages that are due, and runs again when the next message is due. */
     private fun play() {
         try {
             while (!isClosed) {
@@ -75,7 +75,7 @@ internal class BagPlayer(
     }
 
     private companion object {
-        /** The time from the first subscription to the first message, for the other subscriptions. */
+        /** The time from the first subscription to the first message, so that the other subscriptions can come. */
         val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
     }
 }

@@ -46,7 +46,7 @@ internal interface BridgeListener {
  * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
-    /** Handles [operation]; returns false if the operation is unknown here. */
+    /** Handles [operation]; returns false if this class does not know the operation. */
     protected abstract fun hear(operation: JsonObject): Boolean
 
     override fun text(message: String) {

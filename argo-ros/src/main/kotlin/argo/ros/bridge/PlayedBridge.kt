@@ -42,7 +42,7 @@ internal class PlayedBridge(
 
     override fun ping() = listener.isAlive()
 
-    /** Has [service], or an action of this name, answer [response] from now on. */
+    /** Makes [service], or an action of this name, answer [response] from now on. */
     fun respond(service: String, response: JsonObject) {
         responses[service] = response
     }

@@ -52,7 +52,7 @@ internal class RobotTypes(
 
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    /** Returns the fields of [message], the answer to a command of [rule]. */
+    /** Returns the fields of [message], which is the answer to a command of [rule]. */
     fun scopeOfAnswer(rule: CommandRule, message: JsonObject): Scope {
         val type = known[questionForAnswer(rule)] ?: return MessageScope(message)
         return MessageScope(message, type.bytesAmong(rule.answer?.fields().orEmpty()), type.constants)
@@ -110,7 +110,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the searched paths are listed
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the bridge lists the searched paths
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -149,7 +149,7 @@ internal class RobotTypes(
         return (inRead + inCommands + inLiterals).distinct()
     }
 
-    /** Tells fields that commands leave empty, and robots need. */
+    /** Reports fields that commands leave empty although robots need them. */
     private fun tellEmpty() = mapping.commands.forEach { rule ->
         of(rule)?.emptyAmong(rule.fields.map { it.steps }).orEmpty().forEach { warn("${mapping.source}: line ${rule.place.line}: $it") }
     }

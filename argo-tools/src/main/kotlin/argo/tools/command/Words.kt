@@ -1,7 +1,15 @@
 package argo.tools.command
 
+import java.nio.charset.Charset
+
 /** Returns [count] with [noun] in singular or plural: `1 command`, `17 commands`. */
-internal fun counted(count: Number, noun: String): String = if (count.toLong() == 1L) "1 $noun" else "$count ${noun}s"
+fun counted(count: Number, noun: String): String = if (count.toLong() == 1L) "1 $noun" else "$count ${noun}s"
+
+/** Returns the character set of the standard output, which versions of Java tell by different properties. */
+fun standardCharset(): Charset {
+    val encoding = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull(System::getProperty)
+    return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
+}
 
 /** Arranges [rows] below [head] in columns. Returns no lines without rows. */
 internal fun table(head: List<String>, rows: List<List<String>>): List<String> {

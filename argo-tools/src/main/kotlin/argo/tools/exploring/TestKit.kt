@@ -3,12 +3,11 @@ package argo.tools.exploring
 import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
+import argo.tools.replay.filesOn
 import java.io.File
 import java.io.IOException
 import java.nio.file.Path
-import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
-import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
@@ -25,13 +24,6 @@ internal fun withTestKit(classPath: String): String {
     val kit = ownJar()?.let { Installation(it).testKit() }
         ?: throw ToolException("an exploration needs the test kit: --class-path names its jar, such as --class-path argo-testkit.jar")
     return "$classPath${File.pathSeparator}$kit"
-}
-
-/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java understands but Kotlin's compiler does not. */
-internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
-    val folder = entry.removeSuffix("*")
-    if (entry == folder) listOf(Path.of(entry))
-    else Path.of(folder).takeIf { it.isDirectory() }?.listDirectoryEntries("*.jar").orEmpty()
 }
 
 /**

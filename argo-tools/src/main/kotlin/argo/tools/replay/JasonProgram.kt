@@ -7,6 +7,7 @@ import java.io.File
 import java.io.PrintWriter
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
 
 internal fun hasJason(): Boolean = try {
     Class.forName("jason.asSemantics.Agent", false, ToolException::class.java.classLoader)
@@ -35,6 +36,13 @@ fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
     if (classPath == null && jason == null && !hasJason()) return null
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
+}
+
+/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java understands but Kotlin's compiler does not. */
+fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
+    val folder = entry.removeSuffix("*")
+    if (entry == folder) listOf(Path.of(entry))
+    else Path.of(folder).takeIf { it.isDirectory() }?.listDirectoryEntries("*.jar").orEmpty()
 }
 
 /** Explains to the user that [work] needs Jason. Names the folders of classes in [project]. */

@@ -1,0 +1,19 @@
+package argo.lsp.language
+
+import argo.check.syntax.Span
+import argo.lsp.text.Text
+import org.eclipse.lsp4j.CompletionItem
+import org.eclipse.lsp4j.CompletionItemKind
+import org.eclipse.lsp4j.MarkupContent
+import org.eclipse.lsp4j.MarkupKind
+import org.eclipse.lsp4j.TextEdit
+import org.eclipse.lsp4j.jsonrpc.messages.Either
+
+internal fun markdown(page: String) = MarkupContent(MarkupKind.MARKDOWN, page)
+
+/** Offers [word] in place of [span] of [text]. The [meaning] is in Markdown; empty: there is none. */
+internal fun completion(word: String, kind: CompletionItemKind, meaning: String, text: Text, span: Span) = CompletionItem(word).apply {
+    this.kind = kind
+    if (meaning.isNotEmpty()) documentation = Either.forRight(markdown(meaning))
+    textEdit = Either.forLeft(TextEdit(text.range(span), word))
+}
