@@ -202,7 +202,8 @@ internal class Resuming(
             }
             if (Files.isDirectory(path)) return refuse("that is a folder; it takes the name of a file, such as \"robot.state\"")
             if (!Files.isDirectory(path.parent)) return refuse("there is no folder ${path.parent}")
-            val file = StateFile.take(path) ?: return refuse("another agent has this file, in this program or in another one; each agent needs its own")
+            val file = StateFile.take(path)
+                ?: return refuse("another agent has this file, in this program or in another one; each agent needs its own")
             return Resuming(arch, file, platform, log)
         }
     }

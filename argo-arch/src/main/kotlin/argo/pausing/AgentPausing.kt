@@ -172,13 +172,15 @@ internal class AgentPausing(
         return its.zip(moved).any { (one, other) -> one.breakpoint.line != other.breakpoint.line }
     }
 
-    /** A breakpoint that was set before its file was saved is about the old text, and moves with its plan; else it is about the new text. */
+    /** A breakpoint that was set before its file was saved is of the old text, and moves with its plan; else it is of the new text. */
     private fun moved(placed: Placed, before: PlanLines, now: PlanLines): Placed {
         val (file, wanted, line) = placed.breakpoint
         val savedAt = now.savedAt(file)
         val isOfOldText = line != null && (savedAt == null || savedAt != placed.savedAt)
-        val next = if (!isOfOldText) breakpoint(now, file, wanted) else before.moved(file, line, now)?.let { Breakpoint(file, it, it, null) }
-            ?: Breakpoint(file, line, null, "the plan of line $line is gone")
+        val next =
+            if (!isOfOldText) breakpoint(now, file, wanted)
+            else before.moved(file, line, now)?.let { Breakpoint(file, it, it, null) }
+                ?: Breakpoint(file, line, null, "the plan of line $line is gone")
         if (next.line != line) {
             val place = next.line?.let { "the breakpoint is at line $it now" } ?: "there is no breakpoint any more: ${next.refusal}"
             log.info("$file:${line ?: wanted}: the program has changed, and $place")

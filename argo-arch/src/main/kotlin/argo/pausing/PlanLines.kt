@@ -18,7 +18,7 @@ import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.isRegularFile
 import kotlin.math.abs
 
-/** A line at which an agent can stand: that of the trigger of [plan], or that of a step; the place of the same part has the same [number]. */
+/** A line at which an agent can stand: that of the trigger of [plan], or that of the step with this [number]. */
 private class PlanLine(val plan: Plan, val number: Int, val text: String, val place: SourceLine)
 
 /**
@@ -40,15 +40,17 @@ internal class PlanLines(agent: Agent) {
 
     /** Returns the time at which [file] was saved; null: it is not on a disk. */
     fun savedAt(file: String): FileTime? = (of(file).map { it.place.file } + listOfNotNull(source)).distinct()
-        .filter { isSameFile(it, file) }.mapNotNull(ProgramSource::pathOf).filter { it.isRegularFile() }.maxOfOrNull { it.getLastModifiedTime() }
+        .filter { isSameFile(it, file) }.mapNotNull(ProgramSource::pathOf).filter { it.isRegularFile() }
+        .maxOfOrNull { it.getLastModifiedTime() }
 
     /**
-     * Returns the line that the plan part at [line] of [file] has [now], after an exchange: that of the same plan, or of the most similar one
-     * that has come in its place; null: there is none.
+     * Returns the line that the part of a plan at [line] of [file] has [now], after an exchange: in the same plan, or in the most similar
+     * one that has come in its place; null: there is none.
      */
     fun moved(file: String, line: Int, now: PlanLines): Int? {
         val part = of(file).find { it.place.line == line } ?: return now.from(file, line)
-        val plan = if (part.plan in now.plans) part.plan else now.successor(part.plan, lines.filter { it.plan === part.plan }, plans) ?: return null
+        val before = lines.filter { it.plan === part.plan }
+        val plan = if (part.plan in now.plans) part.plan else now.successor(part.plan, before, plans) ?: return null
         val its = now.lines.filter { it.plan === plan }
         val same = its.filter { it.text == part.text }.minByOrNull { abs(it.number - part.number) }
         return (same ?: its.getOrNull(part.number) ?: its.last()).place.line
@@ -56,7 +58,7 @@ internal class PlanLines(agent: Agent) {
 
     private fun successor(gone: Plan, its: List<PlanLine>, before: Set<Plan>): Plan? {
         val texts = its.map { it.text }
-        val candidates = lines.filter { it.plan !in before && isCalledAlike(it.plan, gone) && isSameFile(it.place.file, its.first().place.file) }
+        val candidates = of(its.first().place.file).filter { it.plan !in before && isCalledAlike(it.plan, gone) }
         return candidates.groupBy { it.plan.label }.values.maxByOrNull { those -> those.count { it.text in texts } }?.first()?.plan
     }
 
@@ -70,7 +72,8 @@ private fun isCalledAlike(one: Plan, other: Plan) = one.trigger.run {
 private fun linesOf(plan: Plan): List<PlanLine> {
     val trigger = placeOf(plan)?.let { "${plan.trigger} : ${plan.context}" to it }
     val steps = stepsIn(plan.body).mapNotNull { step -> placeOf(step, plan)?.let { "${step.bodyTerm}" to it } }
-    return (listOfNotNull(trigger) + steps).mapIndexed { number, (text, place) -> PlanLine(plan, number, text.replace(UNNAMED, "_"), place) }
+    return (listOfNotNull(trigger) + steps)
+        .mapIndexed { number, (text, place) -> PlanLine(plan, number, text.replace(UNNAMED, "_"), place) }
 }
 
 /** Returns the steps of [body] and those in its loops and conditions. */

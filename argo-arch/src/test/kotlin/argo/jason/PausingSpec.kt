@@ -255,7 +255,8 @@ class PausingSpec : FunSpec({
             withClue("plans move") { shouldBeAfter("// one\n\n$program", listOf(7, 5, 9, 11, null)) }
             eventually(LIMIT) { mas.log shouldContainText "bob.asl:5: the program has changed, and the breakpoint is at line 7 now" }
             withClue("plans are changed") {
-                val changed = program.replace("<- -+at(N)", "<- +begun; -+at(N)").replace("-+c(N)", "-+c(N); -+d(N)").replace("b(N)", "e(N)")
+                val changed = program.replace("<- -+at(N)", "<- +begun; -+at(N)").replace("-+c(N)", "-+c(N); -+d(N)")
+                    .replace("b(N)", "e(N)")
                 shouldBeAfter("$changed+!last <- +x.\n", listOf(5, 3, 7, 9, null))
             }
             withClue("a plan is gone") { shouldBeAfter(COUNTING.replace("\n+!next", "\n\n+!next"), listOf(6, 4, null, null, null)) }

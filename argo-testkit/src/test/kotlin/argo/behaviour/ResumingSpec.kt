@@ -204,7 +204,7 @@ class ResumingSpec : FunSpec({
         test("if it names nothing") { shouldRefuse("\"\u0000\"", "that is no name of a file") }
         test("if another agent has the file") {
             val state = stateFile()
-            robot(state, "!start. +!start.").use { shouldRefuse("\"$state\"", "another agent has this file, in this program or in another one") }
+            robot(state, "!start. +!start.").use { shouldRefuse("\"$state\"", "another agent has this file") }
         }
     }
 
