@@ -207,8 +207,9 @@ class PausingSpec : FunSpec({
             pausing.ask { pausing.state.why } shouldBe "one cycle is over"
             pausing.release(other)
             runs()
+            pausing.standing { pause() }
             for (owner in listOf(one, other)) pausing.breakAt(owner, "bob.asl", listOf(4))
-            eventually(LIMIT) { pausing.state.phase shouldBe PausePhase.STANDING }
+            pausing.standing { goOn() }
             pausing.release(one)
             pausing.ask { pausing.state.why } shouldBe "breakpoint"
             pausing.breakpoints(other).map { it.line } shouldBe listOf(4)
