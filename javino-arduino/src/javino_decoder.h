@@ -85,8 +85,8 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * A frame of version 2 is dropped and not read again if it is damaged, too long for the memory, of another session or not from a computer.
  * Without a session only HELLO is checked. Other frames cannot be checked; they only show that a computer is there.
  *
- * @param now_ms  the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, no byte came after the last
- *                one handed in.
+ * @param now_ms the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, the byte that was handed in
+ * last is the newest.
  * @return the frame: JAVINO_OVERHEAD bytes and its payload, in version 2 without escapes. In that case call this again before you hand in
  * the next byte. NULL: no frame yet
  */

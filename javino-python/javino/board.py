@@ -17,7 +17,7 @@ _PAGE = 252
 _LOOK_MS = 5
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
-_KINDS = "(?)"  # in place of functors; asks for the kinds of percepts
+_KINDS = "(?)"  # stands in place of a list of functors, and asks for the kinds of percepts
 _NOTHING = None  # a command that only uses up its number
 
 

@@ -19,6 +19,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArchAsynchronous
 import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -50,7 +51,7 @@ internal class Resuming(
     private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // the first state is kept at once
 
     @Volatile
-    private var isResumed = false // until then the file holds the state of the last run
+    private var isResumed = false // while false, the file holds the state of the last run
 
     private val ending = ReentrantLock() // held while a thread other than the agent's makes the last state
 
@@ -99,6 +100,8 @@ internal class Resuming(
             return file.read()?.let { State.of(name, it) }
         } catch (broken: UnreadableStateException) {
             broken.message
+        } catch (_: CharacterCodingException) {
+            "it is no text in UTF-8"
         } catch (unreadable: IOException) {
             "$unreadable"
         }

@@ -21,7 +21,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
-    /** Version 2, with filters whose kept percepts the agent can request from the board. */
+    /** The board speaks version 2, so the agent can request only the percepts that its filter keeps. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 

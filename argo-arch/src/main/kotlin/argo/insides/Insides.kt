@@ -45,6 +45,9 @@ object Insides {
     /** `registerDirective` does not replace a used directive, and would make a new `include` without the source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
+    /** `getDirective` logs an error for a name that is none. */
+    val directiveClasses: Inside<Map<String, Class<*>>> = of(DirectiveProcessor::class.java, "directives")
+
     /** If another thread leaves work, `runAtBeginOfNextCycle` notifies nobody. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 

@@ -286,7 +286,7 @@ internal class AgentPausing(
         val boards = if (world.isStandingStill) listOf(STILL) else makeSafe(met)
         tell(STANDING, met, boards)
         val place = met.place?.run { " at ${file.removePrefix("file:")}:$line" }.orEmpty()
-        log.info { "the agent stands: ${met.why}$place; ${boards.joinToString("; ")}" }
+        log.info { "the agent stands: ${(listOf("${met.why}$place") + boards).joinToString("; ")}" }
         while (true) carryOut(nextWork() ?: break)
         world.standing(false)
         tell(RUNNING, null, emptyList())

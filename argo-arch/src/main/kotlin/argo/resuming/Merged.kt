@@ -5,9 +5,9 @@ import argo.mind.Mind
 
 /**
  * The kept state of an agent whose program may have changed since. If the program began with a belief and does not begin with it now, the
- * agent does not get the belief back. Beliefs and goals that the program begins with only now are added. If the program has one
- * belief of a predicate with its sources, as before, but with other arguments, this belief replaces the agent's only one of that predicate
- * with those sources, even if the agent has changed it.
+ * agent does not get the belief back. Beliefs and goals that the program begins with only now are added. The program may have one belief of
+ * a predicate with its sources, as before, but with other arguments. Then the agent's only such belief becomes that one, even if the agent
+ * has changed it.
  *
  * @param program the beliefs and goals that the program begins with now
  */

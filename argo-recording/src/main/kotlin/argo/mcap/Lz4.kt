@@ -93,7 +93,7 @@ internal class Lz4 {
 
         /**
          * Returns the [length] bytes that are packed in [frame]. Reads any frame without a dictionary, and ignores its checksums.
-         * @throws McapException if [frame] does not contain that many bytes
+         * @throws McapException if [frame] does not contain [length] bytes
          */
         fun decompress(frame: ByteBuffer, length: Int): ByteBuffer = try {
             Frame(frame.order(ByteOrder.LITTLE_ENDIAN), ByteArray(length)).read()

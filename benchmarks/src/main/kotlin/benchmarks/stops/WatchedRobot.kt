@@ -57,7 +57,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // except the first low, with which the pin becomes an output
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // but not the first low level, which makes the pin an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)

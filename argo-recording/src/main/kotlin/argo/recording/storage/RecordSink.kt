@@ -71,6 +71,23 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
         waiting.giveUp()
     }
 
+    /**
+     * Has [worker] store what waits, and waits until it has ended. Jason interrupts the thread of an agent that it stops, which would cut
+     * the recording off: the thread waits on, and is interrupted afterwards.
+     */
+    internal fun closeAndAwait(worker: Thread) {
+        waiting.close()
+        var isInterrupted = false
+        while (worker.isAlive) {
+            try {
+                worker.join()
+            } catch (_: InterruptedException) {
+                isInterrupted = true
+            }
+        }
+        if (isInterrupted) Thread.currentThread().interrupt()
+    }
+
     /** Stores everything offered before, and ends the recording. Records offered afterwards are not stored. May be called twice. */
     abstract override fun close()
 }

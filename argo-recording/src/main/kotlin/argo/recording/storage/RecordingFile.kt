@@ -32,10 +32,7 @@ class RecordingFile internal constructor(
 ) : RecordSink(maxWaitingBytes) {
     private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
 
-    override fun close() {
-        waiting.close()
-        writing.join()
-    }
+    override fun close() = closeAndAwait(writing)
 
     private fun write() {
         var writer: McapWriter? = null

@@ -82,8 +82,7 @@ class RecordingRing(
     }
 
     override fun close() {
-        waiting.close()
-        keeping.join()
+        closeAndAwait(keeping)
         lock.withLock {
             messages.clear()
             others.clear()
