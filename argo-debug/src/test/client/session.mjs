@@ -1,4 +1,5 @@
-// Debugs an agent that drives: stops it at a breakpoint, reads what it knows there, takes a step, goes on; prints what it saw as JSON.
+// Debugs an agent that drives: stops it at a breakpoint, reads what it knows there, takes a step, goes on; prints what it saw as JSON. An
+// agent that stands already, in a replay, goes on to the breakpoint first, and after the step by the end of the session.
 // node session.mjs FOLDER PORT FILE LINE, where FOLDER has node_modules, and the agent's program FILE has a step in LINE.
 import { createRequire } from "node:module";
 import { join } from "node:path";
@@ -28,6 +29,8 @@ const stopped = async (request) => {
 };
 await stopped(() => client.configurationDoneRequest());
 const threadId = stops[0].threadId;
+const stood = stops[0].reason === "pause";
+if (stood) await stopped(() => client.continueRequest({ threadId }));
 const frames = (await client.stackTraceRequest({ threadId })).body.stackFrames;
 const scopes = (await client.scopesRequest({ frameId: frames[0].id })).body.scopes;
 const variables = {};
@@ -46,11 +49,14 @@ for (const formula of ["X", "dist(f,D) & D == X", "dist(f,1)", ".print(X)", "dis
 await client.setBreakpointsRequest({ source: { path }, breakpoints: [] });
 await stopped(() => client.nextRequest({ threadId }));
 const after = (await client.stackTraceRequest({ threadId })).body.stackFrames;
-const continued = client.waitForEvent("continued");
-await client.continueRequest({ threadId });
-await continued;
-await stopped(() => client.pauseRequest({ threadId }));
-const late = await client.evaluateRequest({ expression: "X", frameId: frames[0].id }).then(() => "answered", (refused) => refused.message);
+let late;
+if (!stood) {
+  const continued = client.waitForEvent("continued");
+  await client.continueRequest({ threadId });
+  await continued;
+  await stopped(() => client.pauseRequest({ threadId }));
+  late = await client.evaluateRequest({ expression: "X", frameId: frames[0].id }).then(() => "answered", (refused) => refused.message);
+}
 await client.disconnectRequest({});
 console.log(JSON.stringify({ capabilities, breakpoints, threads, stops, frames, variables, answers, after, late }));
 client.disconnect?.();

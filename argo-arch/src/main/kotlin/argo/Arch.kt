@@ -67,9 +67,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && pausing.maySleep() && waker.maySleep()
     }
     private val ordersLive = { hand.takeAll() }
-    private val carryOut = { order: Order ->
-        hand.carryOut(order, ts)
-        if (order is Order.Reload) pausing.plansChanged()
+    private val carryOut: (Order) -> Unit = { order ->
+        if (order is Order.Reload) pausing.exchanging { hand.carryOut(order, ts) } else hand.carryOut(order, ts)
+        resuming?.ordered()
     }
 
     /** The agent's boards. Available from [init] on. */

@@ -61,6 +61,7 @@ internal class Resuming(
     @Volatile
     private var isStopped = false
     private var isLastMade = false
+    private var isDue = false // for the agent's thread
 
     init {
         arch.pausing.follow { if (it.phase == PausePhase.STANDING) keepWhile(it) }
@@ -132,12 +133,17 @@ internal class Resuming(
     }
 
     override fun cycleFinished() {
-        if (isResumed && platform.clock.nanos() - madeNanos >= PERIOD_NANOS) keep()
+        if (isResumed && (isDue || platform.clock.nanos() - madeNanos >= PERIOD_NANOS)) keep()
         isInCycle = false
         if (isStopped) ending.withLock { keep() }
     }
 
-    /** Keeps the state of the agent while it is [standing], since orders change it. */
+    /** Has the state kept soon, since the agent has carried out an order, which a person takes for kept. Called by the agent's thread. */
+    fun ordered() {
+        isDue = !keepStanding()
+    }
+
+    /** Keeps the state of the agent while it is [standing], since the times in it change. */
     private fun keepWhile(standing: PauseState) {
         if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
     }
@@ -150,6 +156,7 @@ internal class Resuming(
         if (isLastMade) return
         madeNanos = platform.clock.nanos()
         isLastMade = isStopped
+        isDue = false
         if (isResumed) writer.write(state())
         if (isLastMade) writer.end()
     }
@@ -198,7 +205,8 @@ internal class Resuming(
             }
             if (Files.isDirectory(path)) return refuse("that is a folder; it takes the name of a file, such as \"robot.state\"")
             if (!Files.isDirectory(path.parent)) return refuse("there is no folder ${path.parent}")
-            val file = StateFile.take(path) ?: return refuse("another agent of this program has this file; each agent needs its own")
+            val file = StateFile.take(path)
+                ?: return refuse("another agent has this file, in this program or in another one; each agent needs its own")
             return Resuming(arch, file, platform, log)
         }
     }

@@ -64,7 +64,8 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
             }
         }
 
-        private fun pathOf(address: String): Path? = try {
+        /** Returns the path of the file at [address]; null: it is in a jar, on the class path or on another computer. */
+        fun pathOf(address: String): Path? = try {
             when {
                 address.startsWith("file:/") -> Path.of(URI(address))
                 address.startsWith("file:") -> Path.of(address.removePrefix("file:"))

@@ -32,9 +32,10 @@ interface Pausing {
 
     /**
      * Replaces the breakpoints of [owner] in [file] by those at [lines]. The agent stands before it carries out the step at such a line, or
-     * when it has chosen the plan whose trigger is there. After a reload, the lines are looked up in the new plans.
+     * when it has chosen the plan whose trigger is there. At a reload breakpoints move with their plans. One that was set when its file had been
+     * saved already is looked up in the new plans.
      *
-     * @param owner the view or the debugger that sets them; any object
+     * @param owner the view or the debugger that sets them; any object, such as a [BreakpointOwner]
      * @param file the path of a program, or the last part of it
      * @return a breakpoint for each of [lines], in their order
      */
@@ -92,6 +93,12 @@ sealed interface StopAt {
  * @property refusal the reason why there is no such line, in words; null: there is one
  */
 data class Breakpoint(val file: String, val wanted: Int, val line: Int?, val refusal: String?)
+
+/** An owner of breakpoints that is told when a reload has changed them. */
+interface BreakpointOwner {
+    /** Notes that [Pausing.breakpoints] has moved or lost breakpoints of this owner. Called by the agent's thread; must not wait. */
+    fun breakpointsChanged()
+}
 
 /** The phases of a pause. */
 enum class PausePhase { RUNNING, MAKING_SAFE, STANDING }

@@ -2,6 +2,7 @@ package argo.pausing
 
 import argo.insides.Insides
 import argo.observing.Breakpoint
+import argo.observing.BreakpointOwner
 import argo.observing.PausePhase
 import argo.observing.PausePhase.MAKING_SAFE
 import argo.observing.PausePhase.RUNNING
@@ -15,6 +16,7 @@ import jason.architecture.AgArch
 import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.infra.local.LocalAgArchAsynchronous
+import java.nio.file.attribute.FileTime
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.locks.ReentrantLock
@@ -57,7 +59,7 @@ internal class AgentPausing(
     private val changed = lock.newCondition()
     private val works = ArrayDeque<() -> Unit>() // for the thread of the standing agent; under the lock
     private var mayGoOn = true // under the lock
-    private val owned = LinkedHashMap<Any, List<Breakpoint>>() // under the lock
+    private val owned = LinkedHashMap<Any, List<Placed>>() // under the lock
     private val listeners = CopyOnWriteArrayList<(PauseState) -> Unit>()
 
     @Volatile
@@ -70,6 +72,9 @@ internal class AgentPausing(
         fun with(others: Set<Any>) = copy(owners = owners + others)
         fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
     }
+
+    /** A breakpoint in a file that was saved at [savedAt] when the breakpoint was set; null: the file is not on a disk. */
+    private class Placed(val breakpoint: Breakpoint, val savedAt: FileTime?)
 
     private class Until(val stop: Stop, val owner: Any)
 
@@ -131,8 +136,10 @@ internal class AgentPausing(
 
     override fun breakAt(owner: Any, file: String, lines: List<Int>): List<Breakpoint> {
         if (refusal != null) return lines.map { Breakpoint(file, it, null, refusal) }
-        val found = PlanLines(ts.ag).let { known -> lines.map { breakpoint(known, file, it) } }
-        lock.withLock { set(owner, owned[owner].orEmpty().filter { it.file != file } + found) }
+        val known = PlanLines(ts.ag)
+        val savedAt = known.savedAt(file)
+        val found = lines.map { breakpoint(known, file, it) }
+        lock.withLock { set(owner, owned[owner].orEmpty().filter { it.breakpoint.file != file } + found.map { Placed(it, savedAt) }) }
         return found
     }
 
@@ -146,19 +153,39 @@ internal class AgentPausing(
         return Breakpoint(file, wanted, line, why)
     }
 
-    override fun breakpoints(owner: Any) = lock.withLock { owned[owner].orEmpty() }
+    override fun breakpoints(owner: Any) = lock.withLock { owned[owner].orEmpty().map { it.breakpoint } }
 
-    /** Looks up the breakpoints anew, since the agent's plans have changed. */
-    fun plansChanged(): Unit = lock.withLock {
-        if (owned.isEmpty()) return
-        val known = PlanLines(ts.ag)
-        for ((owner, its) in owned.toMap()) set(owner, its.map { found(it, breakpoint(known, it.file, it.wanted)) })
+    /** Has [exchange] exchange the agent's plans, with which the breakpoints move. Called by the agent's thread. */
+    fun exchanging(exchange: () -> Unit) {
+        val before = PlanLines(ts.ag).takeIf { lock.withLock { owned.isNotEmpty() } }
+        exchange()
+        val now = before?.let { PlanLines(ts.ag) } ?: return
+        lock.withLock { owned.keys.filter { owner -> moveAll(owner, before, now) } }
+            .forEach { owner -> carryOut { (owner as? BreakpointOwner)?.breakpointsChanged() } }
     }
 
-    private fun found(before: Breakpoint, now: Breakpoint) = now.also {
-        if (now.line == before.line) return@also
-        val place = now.line?.let { "the breakpoint is at line $it now" } ?: "there is no breakpoint any more: ${now.refusal}"
-        log.info("${now.file}:${now.wanted}: the program has changed, and $place")
+    /** Moves the breakpoints of [owner]; returns true if any has another line now. Under the lock. */
+    private fun moveAll(owner: Any, before: PlanLines, now: PlanLines): Boolean {
+        val its = owned.getValue(owner)
+        val moved = its.map { moved(it, before, now) }
+        set(owner, moved)
+        return its.zip(moved).any { (one, other) -> one.breakpoint.line != other.breakpoint.line }
+    }
+
+    /** A breakpoint that was set before its file was saved is of the old text, and moves with its plan; else it is of the new text. */
+    private fun moved(placed: Placed, before: PlanLines, now: PlanLines): Placed {
+        val (file, wanted, line) = placed.breakpoint
+        val savedAt = now.savedAt(file)
+        val isOfOldText = line != null && (savedAt == null || savedAt != placed.savedAt)
+        val next =
+            if (!isOfOldText) breakpoint(now, file, wanted)
+            else before.moved(file, line, now)?.let { Breakpoint(file, it, it, null) }
+                ?: Breakpoint(file, line, null, "the plan of line $line is gone")
+        if (next.line != line) {
+            val place = next.line?.let { "the breakpoint is at line $it now" } ?: "there is no breakpoint any more: ${next.refusal}"
+            log.info("$file:${line ?: wanted}: the program has changed, and $place")
+        }
+        return Placed(next, savedAt)
     }
 
     override fun release(owner: Any): Unit = lock.withLock {
@@ -172,9 +199,9 @@ internal class AgentPausing(
         }
     }
 
-    private fun set(owner: Any, its: List<Breakpoint>) {
+    private fun set(owner: Any, its: List<Placed>) {
         if (its.isEmpty()) owned -= owner else owned[owner] = its
-        breaks.lines = owned.values.flatten().mapNotNull { one -> one.line?.let { SourceLine(one.file, it) } }
+        breaks.lines = owned.values.flatten().map { it.breakpoint }.mapNotNull { one -> one.line?.let { SourceLine(one.file, it) } }
     }
 
     override fun follow(listener: (PauseState) -> Unit): AutoCloseable {
@@ -251,7 +278,7 @@ internal class AgentPausing(
     }
 
     private fun ownersAt(place: SourceLine): Set<Any> =
-        owned.filterValues { its -> its.any { it.line == place.line && isSameFile(it.file, place.file) } }.keys
+        owned.filterValues { its -> its.any { it.breakpoint.line == place.line && isSameFile(it.breakpoint.file, place.file) } }.keys
 
     private fun stand(met: Met) {
         lock.withLock { until = null }

@@ -1,5 +1,6 @@
 package argo.pausing
 
+import argo.hand.ProgramSource
 import argo.observing.SourceLine
 import argo.observing.placeOf
 import argo.platform.Plans
@@ -10,21 +11,70 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 import java.io.File
+import java.nio.file.attribute.FileTime
+import java.util.Collections
+import java.util.IdentityHashMap
+import kotlin.io.path.getLastModifiedTime
+import kotlin.io.path.isRegularFile
+import kotlin.math.abs
 
-/** The lines of an agent's plans at which it can stand: the lines of triggers and of steps. Any thread may call. */
+/** A line at which an agent can stand: that of the trigger of [plan], or that of the step with this [number]. */
+private class PlanLine(val plan: Plan, val number: Int, val text: String, val place: SourceLine)
+
+/**
+ * The lines of an agent's plans at which it can stand: the lines of triggers and of steps. They stay as they are when the plans are
+ * exchanged. Any thread may call.
+ */
 internal class PlanLines(agent: Agent) {
-    private val lines = Plans.of(agent).copy().flatMap(::linesOf).distinct()
+    private val lines = Plans.of(agent).copy().flatMap(::linesOf)
+    private val plans: Set<Plan> = lines.mapTo(Collections.newSetFromMap(IdentityHashMap())) { it.plan }
+    private val source = agent.aslSrc
 
     /** The last part of the name of each file with such lines, except the file of Jason's own plans for messages. */
-    val files: Set<String> get() = lines.mapTo(LinkedHashSet()) { File(it.file).name } - "kqmlPlans.asl"
+    val files: Set<String> get() = lines.mapTo(LinkedHashSet()) { File(it.place.file).name } - "kqmlPlans.asl"
 
-    fun has(file: String): Boolean = lines.any { isSameFile(it.file, file) }
+    fun has(file: String): Boolean = lines.any { isSameFile(it.place.file, file) }
 
     /** Returns the first line of [file] from [line] on; null: there is none. */
-    fun from(file: String, line: Int): Int? = lines.filter { it.line >= line && isSameFile(it.file, file) }.minOfOrNull { it.line }
+    fun from(file: String, line: Int): Int? = of(file).filter { it.place.line >= line }.minOfOrNull { it.place.line }
+
+    /** Returns the time at which [file] was saved; null: it is not on a disk. */
+    fun savedAt(file: String): FileTime? = (of(file).map { it.place.file } + listOfNotNull(source)).distinct()
+        .filter { isSameFile(it, file) }.mapNotNull(ProgramSource::pathOf).filter { it.isRegularFile() }
+        .maxOfOrNull { it.getLastModifiedTime() }
+
+    /**
+     * Returns the line that the part of a plan at [line] of [file] has [now], after an exchange: in the same plan, or in the most similar
+     * one that has come in its place; null: there is none.
+     */
+    fun moved(file: String, line: Int, now: PlanLines): Int? {
+        val part = of(file).find { it.place.line == line } ?: return now.from(file, line)
+        val before = lines.filter { it.plan === part.plan }
+        val plan = if (part.plan in now.plans) part.plan else now.successor(part.plan, before, plans) ?: return null
+        val its = now.lines.filter { it.plan === plan }
+        val same = its.filter { it.text == part.text }.minByOrNull { abs(it.number - part.number) }
+        return (same ?: its.getOrNull(part.number) ?: its.last()).place.line
+    }
+
+    private fun successor(gone: Plan, its: List<PlanLine>, before: Set<Plan>): Plan? {
+        val texts = its.map { it.text }
+        val candidates = of(its.first().place.file).filter { it.plan !in before && isCalledAlike(it.plan, gone) }
+        return candidates.groupBy { it.plan.label }.values.maxByOrNull { those -> those.count { it.text in texts } }?.first()?.plan
+    }
+
+    private fun of(file: String) = lines.filter { isSameFile(it.place.file, file) }
 }
 
-private fun linesOf(plan: Plan): List<SourceLine> = listOfNotNull(placeOf(plan)) + stepsIn(plan.body).mapNotNull { placeOf(it, plan) }
+private fun isCalledAlike(one: Plan, other: Plan) = one.trigger.run {
+    operator == other.trigger.operator && type == other.trigger.type && literal.functor == other.trigger.literal.functor
+}
+
+private fun linesOf(plan: Plan): List<PlanLine> {
+    val trigger = placeOf(plan)?.let { "${plan.trigger} : ${plan.context}" to it }
+    val steps = stepsIn(plan.body).mapNotNull { step -> placeOf(step, plan)?.let { "${step.bodyTerm}" to it } }
+    return (listOfNotNull(trigger) + steps)
+        .mapIndexed { number, (text, place) -> PlanLine(plan, number, text.replace(UNNAMED, "_"), place) }
+}
 
 /** Returns the steps of [body] and those in its loops and conditions. */
 private fun stepsIn(body: PlanBody?): List<PlanBody> =
@@ -35,3 +85,6 @@ private fun within(term: Term?): List<PlanBody> = when {
     term is Structure && term.hasTerm() -> term.terms.flatMap(::within)
     else -> emptyList()
 }
+
+/** A variable without a name, whose number differs with each reading. */
+private val UNNAMED = Regex("""\b_\d+\w*""")

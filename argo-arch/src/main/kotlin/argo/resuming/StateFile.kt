@@ -2,6 +2,7 @@ package argo.resuming
 
 import java.io.IOException
 import java.nio.channels.FileChannel
+import java.nio.channels.OverlappingFileLockException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
@@ -17,7 +18,7 @@ import java.time.format.DateTimeFormatter
  * The file that keeps the state of one agent. The file is exchanged as a whole: whatever ends the program or the computer, the file is
  * either the old one or the new one. Functions wait for the disk, and throw [IOException].
  */
-internal class StateFile private constructor(private val path: Path) : AutoCloseable {
+internal class StateFile private constructor(private val path: Path, private val lock: FileChannel?) : AutoCloseable {
     private val next = path.resolveSibling("${path.fileName}.new")
 
     /** Returns the file's text; null: there is no such file. */
@@ -47,8 +48,9 @@ internal class StateFile private constructor(private val path: Path) : AutoClose
     fun setAside(): Path = Files.move(path, path.resolveSibling("${path.fileName}.broken-${LocalDateTime.now().format(STAMP)}")).fileName
 
     /** Lets another agent have the file. */
-    override fun close() {
-        synchronized(TAKEN) { TAKEN.remove(path) }
+    override fun close() = synchronized(TAKEN) {
+        TAKEN.remove(path)
+        lock?.close() ?: Unit
     }
 
     override fun toString() = "${path.fileName}"
@@ -57,7 +59,32 @@ internal class StateFile private constructor(private val path: Path) : AutoClose
         private val TAKEN = HashSet<Path>()
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
-        /** Takes the file at the absolute [path] for an agent; null: another agent of this program has it. */
-        fun take(path: Path): StateFile? = synchronized(TAKEN) { if (TAKEN.add(path)) StateFile(path) else null }
+        /** Takes the file at the absolute [path] for an agent; null: another agent has it, of this program or of another one. */
+        fun take(path: Path): StateFile? = synchronized(TAKEN) {
+            if (path in TAKEN) return null
+            val lock = openLock(path)
+            if (lock != null && !isLocked(lock)) return null.also { lock.close() }
+            TAKEN.add(path)
+            StateFile(path, lock)
+        }
+
+        /**
+         * Opens the file that programs lock, since the state itself is exchanged; null: the folder cannot be written, and each state that
+         * cannot be kept is told.
+         */
+        private fun openLock(path: Path): FileChannel? = try {
+            FileChannel.open(path.resolveSibling("${path.fileName}.lock"), WRITE, CREATE)
+        } catch (_: IOException) {
+            null
+        }
+
+        /** Locks the file of [channel] until it is closed, or the program has ended. Returns false if another program has locked it. */
+        private fun isLocked(channel: FileChannel): Boolean = try {
+            channel.tryLock() != null
+        } catch (_: OverlappingFileLockException) {
+            false // by another copy of this class
+        } catch (_: IOException) {
+            true // the file system has no locks
+        }
     }
 }

@@ -1,6 +1,7 @@
 package argo.jason
 
 import argo.architectures
+import argo.observing.BreakpointOwner
 import argo.observing.Order
 import argo.observing.Outcome
 import argo.observing.PausePhase
@@ -12,6 +13,7 @@ import argo.pausing.PauseWorld
 import argo.pausing.refusalToPause
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -205,8 +207,9 @@ class PausingSpec : FunSpec({
             pausing.ask { pausing.state.why } shouldBe "one cycle is over"
             pausing.release(other)
             runs()
+            pausing.standing { pause() }
             for (owner in listOf(one, other)) pausing.breakAt(owner, "bob.asl", listOf(4))
-            eventually(LIMIT) { pausing.state.phase shouldBe PausePhase.STANDING }
+            pausing.standing { goOn() }
             pausing.release(one)
             pausing.ask { pausing.state.why } shouldBe "breakpoint"
             pausing.breakpoints(other).map { it.line } shouldBe listOf(4)
@@ -230,18 +233,52 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("breakpoints are looked up anew when a reload has changed the plans, which is told") {
+    test("breakpoints move with their plans when a reload has changed them, or are lost, which is told") {
+        LocalMas().use { mas ->
+            val told = AtomicInteger()
+            val owner = object : BreakpointOwner {
+                override fun breakpointsChanged() {
+                    told.incrementAndGet()
+                }
+            }
+            val program = "$COUNTING+!other(N) : N > 1\n   <- -+b(N).\n+!other(N)\n   <- -+c(N).\n"
+            mas.agent("bob", program)
+            val observed = mas.observed("bob")
+            val pausing = observed.pausing
+            suspend fun shouldBeAfter(text: String, lines: List<Int?>) {
+                mas.file("bob.asl", text)
+                val outcome = CompletableFuture<Outcome>()
+                observed.reload { outcome.complete(it) }
+                outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
+                eventually(LIMIT) { pausing.breakpoints(owner).map { it.line } shouldBe lines }
+            }
+            pausing.breakAt(owner, "bob.asl", listOf(5, 3, 7, 9, 12)).map { it.line } shouldBe listOf(5, 3, 7, 9, null)
+            withClue("plans move") { shouldBeAfter("// one\n\n$program", listOf(7, 5, 9, 11, null)) }
+            eventually(LIMIT) { mas.log shouldContainText "bob.asl:5: the program has changed, and the breakpoint is at line 7 now" }
+            withClue("plans are changed") {
+                val changed = program.replace("<- -+at(N)", "<- +begun; -+at(N)").replace("-+c(N)", "-+c(N); -+d(N)")
+                    .replace("b(N)", "e(N)")
+                shouldBeAfter("$changed+!last <- +x.\n", listOf(5, 3, 7, 9, null))
+            }
+            withClue("a plan is gone") { shouldBeAfter(COUNTING.replace("\n+!next", "\n\n+!next"), listOf(6, 4, null, null, null)) }
+            pausing.breakpoints(owner)[3].refusal shouldBe "the plan of line 9 is gone"
+            mas.log shouldContainText "bob.asl:9: the program has changed, and there is no breakpoint any more: the plan of line 9 is gone"
+            eventually(LIMIT) { told.get() shouldBe 3 }
+            withClue("nothing has changed") { shouldBeAfter(COUNTING.replace("\n+!next", "\n\n+!next"), listOf(6, 4, null, null, null)) }
+            told.get() shouldBe 3
+        }
+    }
+
+    test("a breakpoint that is set when the file is saved already, as editors do, is one of the new text") {
         LocalMas().use { mas ->
             mas.agent("bob", COUNTING)
             val observed = mas.observed("bob")
-            val pausing = observed.pausing
-            pausing.breakAt("it", "bob.asl", listOf(5, 9)).map { it.line } shouldBe listOf(5, null)
-            mas.file("bob.asl", COUNTING.replace("@counting", "\n\n\n\n@counting"))
+            mas.file("bob.asl", COUNTING.replace("@counting", "\n\n@counting"))
+            observed.pausing.breakAt("it", "bob.asl", listOf(5, 7)).map { it.line } shouldBe listOf(5, null)
             val outcome = CompletableFuture<Outcome>()
             observed.reload { outcome.complete(it) }
             outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
-            eventually(LIMIT) { pausing.breakpoints("it").map { it.line } shouldBe listOf(7, 9) }
-            eventually(LIMIT) { mas.log shouldContainText "bob.asl:5: the program has changed, and the breakpoint is at line 7 now" }
+            eventually(LIMIT) { observed.pausing.breakpoints("it").map { it.line } shouldBe listOf(5, 7) }
         }
     }
 

@@ -3,7 +3,7 @@ package argo.resuming
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
@@ -24,14 +24,14 @@ class StateFileSpec : FunSpec({
 
     fun taken(folder: Path): StateFile = StateFile.take(folder.resolve("robot.state")).shouldNotBeNull()
 
-    test("a file that is not there has no text; then it has the last one, and nothing is left beside it") {
+    test("a file that is not there has no text; then it has the last one, and only its lock is beside it") {
         val folder = folder()
         taken(folder).use { file ->
             file.read().shouldBeNull()
             file.exchange("first, and long")
             file.exchange("second")
             file.read() shouldBe "second"
-            folder.listDirectoryEntries().map { it.name } shouldContainExactly listOf("robot.state")
+            folder.listDirectoryEntries().map { it.name } shouldContainExactlyInAnyOrder listOf("robot.state", "robot.state.lock")
         }
     }
 
@@ -70,6 +70,16 @@ class StateFileSpec : FunSpec({
     test("two agents cannot have one file; when the one has given it back, the other can") {
         val folder = folder()
         taken(folder).use { StateFile.take(folder.resolve("robot.state")).shouldBeNull() }
+        taken(folder).close()
+    }
+
+    test("a file that another program has is not taken until that program has ended") {
+        val folder = folder()
+        val java = ProcessHandle.current().info().command().orElse("java")
+        val other = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "argo.resuming.StateHolderKt", "$folder").start()
+        other.inputStream.bufferedReader().readLine() shouldBe "taken"
+        StateFile.take(folder.resolve("robot.state")).shouldBeNull()
+        other.destroyForcibly().waitFor()
         taken(folder).close()
     }
 })

@@ -1,5 +1,6 @@
 package argo.debug
 
+import argo.observing.BreakpointOwner
 import argo.observing.PauseState
 import argo.observing.StopAt
 import argo.observing.StopAt.Way
@@ -53,7 +54,9 @@ import java.util.logging.Logger
  *
  * @param agents the agents, which come and go
  */
-internal class DebugSession(private val agents: List<AgentThread>) : IDebugProtocolServer {
+internal class DebugSession(private val agents: List<AgentThread>) :
+    IDebugProtocolServer,
+    BreakpointOwner {
     /** The breakpoints in [file]: the line of each by its number. */
     private class InFile(val file: String, val lines: Map<Int, Int>)
 
@@ -127,6 +130,7 @@ internal class DebugSession(private val agents: List<AgentThread>) : IDebugProto
 
     private fun say(line: String) = tell { it.output(OutputEventArguments().apply { output = "$line\n" }) }
 
+    @Synchronized
     override fun setBreakpoints(args: SetBreakpointsArguments) = answer {
         val file = args.source.path ?: args.source.name ?: throw DebugException("a breakpoint is in a file")
         val lines = args.breakpoints.orEmpty().map { it.line }
@@ -144,6 +148,17 @@ internal class DebugSession(private val agents: List<AgentThread>) : IDebugProto
         line = found.firstNotNullOfOrNull { it.line } ?: found.firstOrNull()?.wanted
         source = args?.source
         if (!isVerified) message = found.firstOrNull()?.refusal ?: "no agent is there"
+    }
+
+    /** Tells the debugger where its breakpoints are now, and which are lost. */
+    @Synchronized
+    override fun breakpointsChanged() {
+        for (its in files.values) {
+            val found = agents.map { agent -> agent.pausing.breakpoints(this).filter { it.file == its.file } }
+            val now = its.lines.keys.mapIndexed { place, number -> shown(number, null, found.mapNotNull { it.getOrNull(place) }) }
+            files = files + (its.file to InFile(its.file, now.associate { it.id to it.line }))
+            now.forEach { breakpoint -> tell { it.breakpoint(changed(breakpoint)) } }
+        }
     }
 
     override fun setExceptionBreakpoints(args: SetExceptionBreakpointsArguments?) = answer { SetExceptionBreakpointsResponse() }

@@ -1,5 +1,6 @@
 package argo.debug
 
+import argo.testkit.agent
 import com.google.gson.JsonElement
 import com.google.gson.JsonParser
 import io.kotest.assertions.nondeterministic.eventually
@@ -29,15 +30,19 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.concurrent.thread
 import kotlin.io.path.absolute
 import kotlin.io.path.exists
+import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.minutes
 
 /** A client of the protocol that others use, from npm, debugs an agent that drives a board at the end of a pseudo-terminal. */
 class ClientSpec : FunSpec({
     val folder = Path.of("build/client").absolute()
-    val installed = when {
-        !folder.resolve("node_modules/@vscode/debugadapter-testsupport").exists() ->
-            Enabled.disabled("there is no client: argo-debug/install-client installs it")
+    val thorough = setOf(NamedTag("Thorough"))
+    val client =
+        if (folder.resolve("node_modules/@vscode/debugadapter-testsupport").exists()) Enabled.enabled
+        else Enabled.disabled("there is no client: argo-debug/install-client installs it")
+    val withTerminals = when {
+        client.isDisabled -> client
         !PseudoTerminals.available() -> Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
         else -> Enabled.enabled
     }
@@ -52,8 +57,8 @@ class ClientSpec : FunSpec({
     }
 
     test("it stops a drive at a breakpoint, with the board made safe first, reads what the agent knows there, steps, and goes on")
-        .config(enabledOrReasonIf = { installed }, tags = setOf(NamedTag("Thorough"))) {
-            val free = ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { it.localPort }
+        .config(enabledOrReasonIf = { withTerminals }, tags = thorough) {
+            val free = freePort()
             val reading = AtomicInteger(1000)
             val board = FakeBoard.plugIn("debugged").lenient().version2().knows("forward/1", "stop/0")
                 .apply { whenAsked("getPercepts").answer { "dist(f,${reading.decrementAndGet()});" } }
@@ -100,7 +105,34 @@ class ClientSpec : FunSpec({
                 received.indexOf("stop") shouldBeLessThan received.indexOf("forward($x)")
             }
         }
+
+    test("it debugs the replay of a recorded agent, and the replay is identical").config(enabledOrReasonIf = { client }, tags = thorough) {
+        val directory = tempdir().toPath().toRealPath()
+        val file = directory.resolve("bob.asl").apply { writeText(drive("ttyACM0")) }
+        val recording = directory.resolve("drive.mcap")
+        agent(file) { options("argo_record" to "$recording") }.use { it.perceives("dist(f,38)").shouldSend("forward(38)") }
+        file.writeText(file.readText() + "// another line\n")
+        val free = freePort()
+        val command = listOf("java", "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt", "replay", "$recording")
+        val replay = ProcessBuilder(command + listOf("--debug", "$free")).start()
+        val errors = replay.errorStream.bufferedReader()
+        val told = generateSequence { errors.readLine() }.takeWhile { "stands before its first cycle" !in it }.toList()
+        withClue(told) { told.single { "has changed since" in it } shouldContain "$file" }
+        val said = session(free, file)
+        val report = replay.inputStream.readBytes().decodeToString()
+        replay.waitFor(1, TimeUnit.MINUTES)
+        withClue("$said\n$report") {
+            val seen = JsonParser.parseString(said).asJsonObject
+            seen["stops"].items.map { it.asJsonObject["reason"].asString } shouldBe listOf("pause", "breakpoint", "step")
+            seen["answers"].items.first().asString shouldBe "38"
+            report shouldContain "identical: the same events"
+            replay.exitValue() shouldBe 0
+        }
+    }
 })
+
+/** Returns a port that is free. */
+internal fun freePort() = ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { it.localPort }
 
 private val JsonElement.items: List<JsonElement> get() = asJsonArray.toList()
 

@@ -2,6 +2,7 @@ package argo.debug
 
 import argo.testkit.TestAgent
 import argo.testkit.agent
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -20,6 +21,7 @@ import java.net.Socket
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
 
 class DebugSpec : FunSpec({
@@ -111,6 +113,24 @@ class DebugSpec : FunSpec({
         }
     }
 
+    test("breakpoints that a reload moves, or takes away, are told to the debugger") {
+        val own = tempdir().toPath().toRealPath().resolve("bob.asl").apply { writeText(PROGRAM) }
+        agent(own) { options("argo_debug" to "0") }.use { bob ->
+            val port = bob.log.first { "debuggers reach bob" in it }.substringAfter("port ").substringBefore(" ").toInt()
+            Debugger(port).use { debugger ->
+                debugger.breakAt("$own", 5, 9) shouldBe listOf("5", "9")
+                debugger.configured()
+                own.writeText("\n" + PROGRAM.replace(Regex("(?s)\\+!turn.*turn\\(X\\)\\)\\."), ""))
+                bob.hears("boss", "achieve", "renew")
+                eventually(1.minutes) {
+                    debugger.told shouldContain "changed 1: 6"
+                    debugger.told shouldContain "changed 2: the plan of line 9 is gone"
+                }
+                debugger.disconnect()
+            }
+        }
+    }
+
     test("a debugger that goes away leaves an agent that goes on, without its breakpoints") {
         debugging({ perceives("dist(f,38)").shouldSend("slow(38)").perceives("dist(f,30)").shouldSend("slow(30)") }) {
             stop()
@@ -179,4 +199,5 @@ private const val PROGRAM = """far(40). near :- dist(f,X) & far(L) & X < L. !sta
    <- argo.act(turn(X)).
 
 +!look <- for (.range(N,1,600)) { +spot(N) }.
++!renew <- argo.reload.
 """

@@ -1,5 +1,6 @@
 package argo.debug
 
+import org.eclipse.lsp4j.debug.BreakpointEventArguments
 import org.eclipse.lsp4j.debug.ConfigurationDoneArguments
 import org.eclipse.lsp4j.debug.ContinuedEventArguments
 import org.eclipse.lsp4j.debug.DisconnectArguments
@@ -56,6 +57,10 @@ internal class Debugger(port: Int) : IDebugProtocolClient, AutoCloseable {
 
     override fun thread(args: ThreadEventArguments) {
         told += "${args.reason} ${args.threadId}"
+    }
+
+    override fun breakpoint(args: BreakpointEventArguments) {
+        told += args.breakpoint.run { "${args.reason} $id: " + if (isVerified) "$line" else message }
     }
 
     override fun output(args: OutputEventArguments) {

@@ -1,5 +1,7 @@
 package argo.behaviour
 
+import argo.observing.Order
+import argo.recording.ordered
 import argo.testkit.AgentSetUp
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
@@ -209,7 +211,7 @@ class ResumingSpec : FunSpec({
         test("if it names nothing") { shouldRefuse("\"\u0000\"", "that is no name of a file") }
         test("if another agent has the file") {
             val state = stateFile()
-            robot(state, "!start. +!start.").use { shouldRefuse("\"$state\"", "another agent of this program has this file") }
+            robot(state, "!start. +!start.").use { shouldRefuse("\"$state\"", "another agent has this file") }
         }
     }
 
@@ -242,6 +244,14 @@ class ResumingSpec : FunSpec({
         state.readText().lines().filter { it.startsWith("note") || it.startsWith("!go") }.shouldBeEmpty()
         robot(state, "r(2). +!start <- +begun.").use {
             it.shouldBelieve("resumed(_) & r(2) & begun").shouldNotBelieve("note(_)", 0.seconds)
+        }
+    }
+
+    test("a person's order is kept at once") {
+        val state = stateFile()
+        robot(state, "limit(40).").use { robot ->
+            robot.after(1.seconds).ordered(Order.Believe("-+limit(60)"))
+            state.readText().lines() shouldContain "limit(60)[source(self)]."
         }
     }
 

@@ -5,8 +5,9 @@ import kotlinx.serialization.Serializable
 
 /** The breakpoints that the pages of [agent] have set. Safe for use by several threads. */
 internal class PageBreakpoints(private val agent: ObservedAgent) {
+    /** The lines, and those that a reload has taken away. */
     val all: List<BreakpointState>
-        get() = agent.pausing.breakpoints(this).mapNotNull { found -> found.line?.let { BreakpointState(found.file, it) } }
+        get() = agent.pausing.breakpoints(this).map { BreakpointState(it.file, it.line ?: it.wanted, it.refusal) }
             .distinct().sortedWith(compareBy({ it.file }, { it.line }))
 
     /** Sets a breakpoint at [line] of [file], or at a later line of its plan. Returns where the agent stops, or why it does not. */
@@ -25,13 +26,13 @@ internal class PageBreakpoints(private val agent: ObservedAgent) {
         return HttpResponse.message(200, "the agent does not stop at $file:$line")
     }
 
-    private fun linesOf(file: String) = all.filter { it.file == file }.map { it.line }
+    private fun linesOf(file: String) = all.filter { it.file == file && it.lost == null }.map { it.line }
 
     private fun keep(file: String, lines: List<Int>) {
         agent.pausing.breakAt(this, file, lines)
     }
 }
 
-/** A line at which the agent stops. */
+/** A line at which the agent stops; [lost] is the reason why it stops there no more. */
 @Serializable
-internal data class BreakpointState(val file: String, val line: Int)
+internal data class BreakpointState(val file: String, val line: Int, val lost: String? = null)

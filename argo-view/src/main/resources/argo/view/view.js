@@ -321,10 +321,11 @@ function showIntentions({ intentions: { total, intentions }, pause }) {
 const breakpointRow = () => actingRow('remove', 'breakpoint', 'place', { isSet: false });
 
 function showStops({ breakpoints }) {
-  rows($('breakpoints'), breakpoints.map(({ file, line }) => `${file}:${line}`), at => at, breakpointRow, (line, at) => {
-    fill(line, at, '', '');
-    line.children[1].hidden = true;
-    showAct(line, at, `remove ${at}`, 'The agent does not stop there');
+  const at = ({ file, line }) => `${file}:${line}`;
+  rows($('breakpoints'), breakpoints, stop => at(stop) + (stop.lost ? ' lost' : ''), breakpointRow, (line, { lost, ...stop }) => {
+    fill(line, at(stop), lost ? 'lost' : '', 'warn', '', lost || '');
+    line.children[1].hidden = !lost;
+    showAct(line, at(stop), `remove ${at(stop)}`, 'The agent does not stop there');
   }, 'The agent stops at no line.');
 }
 

@@ -70,6 +70,10 @@ class HandRoutesSpec : FunSpec({
         agent.ask("/breakpoint", """{"place":"robot.asl:12","isSet":false}""").first shouldBe 200
         agent.pausing.lines shouldBe mapOf("robot.asl" to emptyList(), "other.asl" to listOf(3))
         agent.page.all shouldBe listOf(BreakpointState("other.asl", 3))
+        agent.pausing.found["other.asl"] = listOf(Breakpoint("other.asl", 3, null, "the plan of line 3 is gone"))
+        agent.page.all shouldBe listOf(BreakpointState("other.asl", 3, "the plan of line 3 is gone"))
+        agent.ask("/breakpoint", """{"place":"other.asl:5"}""").first shouldBe 200
+        agent.page.all shouldBe listOf(BreakpointState("other.asl", 5))
         agent.ask("/breakpoint", """{"place":"line 12"}""").second shouldContain "write robot.asl:12"
     }
 
@@ -108,7 +112,7 @@ internal class Pauses : Pausing {
     override val state = PauseState(PausePhase.RUNNING, null, emptyList(), null, null, 0)
     val asked = ArrayList<String>()
     val lines = HashMap<String, List<Int>>()
-    private val found = HashMap<String, List<Breakpoint>>()
+    val found = HashMap<String, List<Breakpoint>>()
 
     override fun pause(owner: Any) { asked += "pause" }
     override fun goOn() { asked += "go on" }

@@ -30,6 +30,7 @@ import java.nio.file.Path
  * Makes Jason create an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
  * @param isCarryingOut whether an architecture of the project may be made; such an architecture may do anything
+ * @param observers options of observers, such as `argo_debug=4711`; the recorded ones would start others, such as a live view
  * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or if Jason cannot read the program
  */
 internal fun jasonAgent(
@@ -38,11 +39,12 @@ internal fun jasonAgent(
     includes: RecordedIncludes,
     boundary: Boundary,
     isCarryingOut: Boolean = !includes.isOfRecordedProgram,
+    observers: Map<String, String> = emptyMap(),
 ): TransitionSystem {
     requireJasons(recorded, recorded.agentClass, Agent::class.java.name)
     requireJasons(recorded, recorded.beliefBase, DefaultBeliefBase::class.java.name)
     val archType = archType(recorded, isCarryingOut)
-    val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent))) }
+    val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent) + observers)) }
     val infra = Infra(recorded)
     val address = recorded.address.takeIf { includes.isOfRecordedProgram }
     load(recorded) {
@@ -174,7 +176,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if a replayed agent gets [option] too. Options of observers would start them, such as a live view. */
+/** Returns true if a replayed agent gets [option] too, which is of no observer. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

@@ -1,5 +1,6 @@
 package argo.recording.replay
 
+import argo.hand.ProgramSource
 import argo.mcap.McapReader
 import argo.recording.Beginning
 import argo.recording.CONFIG
@@ -20,6 +21,8 @@ import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Path
 import java.time.Duration
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.readBytes
 
 /**
  * A recording of agents. For one thread.
@@ -69,6 +72,18 @@ class Recording(private val file: Path) : AutoCloseable {
             }
             Include(values["within"].orEmpty(), values["name"].orEmpty(), values["address"].orEmpty(), text)
         }.toList()
+
+    /**
+     * Returns the files of the programs, included ones too, that are on this computer's disks now with another content than the recorded one.
+     * @throws RecordingException if the recording lacks the content of a file
+     */
+    fun changedFiles(): List<Path> {
+        val programs = agents.values.mapNotNull { agent -> agent.address?.let { it to program[agent.source] } }
+        val includes = agents.keys.flatMap(::includes).map { it.address to it.text }
+        return (programs + includes).mapNotNull { (address, text) ->
+            ProgramSource.pathOf(address)?.takeIf { it.isRegularFile() && !it.readBytes().contentEquals(text) }
+        }.distinct()
+    }
 
     /** One sentence for each unreadable part of the file; the 101st is about all others. The readable parts can be replayed. */
     val problems: List<String> get() = reader.problems

@@ -2,6 +2,7 @@ package argo.recording.replay
 
 import argo.observing.Pausing
 import argo.recording.Cycle
+import argo.recording.RecordedAgent
 import argo.recording.agent.shownBeliefs
 
 /**
@@ -20,9 +21,14 @@ import argo.recording.agent.shownBeliefs
  * Close the replay at the end. For one thread; a program can run one replay at a time.
  *
  * @param isChecking whether to carry out the project's own code again
- * @throws RecordingException if the recording cannot be replayed
+ * @param debugPort the port at which debuggers reach the agents, 0 for any that is free; null: none
+ * @throws RecordingException if the recording cannot be replayed, or no debugger can reach an agent at [debugPort]
  */
-class Replay(private val recording: Recording, private val isChecking: Boolean = false) : AutoCloseable {
+class Replay(
+    private val recording: Recording,
+    private val isChecking: Boolean = false,
+    private val debugPort: Int? = null,
+) : AutoCloseable {
     private val programs = ProgramFiles(recording)
     private val agents = create()
     private val cycles = agents.keys.associateWith { recording.replayable(it).iterator() }
@@ -49,8 +55,10 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
         cycles.keys.forEach(::read)
     }
 
+    private val upcoming: Map.Entry<String, Cycle>? get() = next.minByOrNull { (_, cycle) -> cycle.ns }
+
     /** The beginning of the next cycle, in ns of the agents' clock; null: none is left. */
-    val nextNs: Long? get() = next.values.minOfOrNull { it.ns }
+    val nextNs: Long? get() = upcoming?.value?.ns
 
     /**
      * Returns the pauses of [agent] in this replay. While the agent stands, [run] does not return, so another thread lets it go on. A pause
@@ -58,10 +66,13 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
      */
     fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing
 
+    /** Has the agent of the next cycle stand before that cycle, see [pausing]. Returns its name; null: no cycle is left. */
+    fun pause(): String? = upcoming?.key?.also { pausing(it).pause() }
+
     /** Runs all cycles that began before [untilNs], and returns itself. */
     fun run(untilNs: Long = Long.MAX_VALUE): Replay = apply {
         while (true) {
-            val (agent, cycle) = next.minByOrNull { (_, cycle) -> cycle.ns } ?: break
+            val (agent, cycle) = upcoming ?: break
             if (cycle.ns >= untilNs) break
             val refusal = cycle.refusal?.takeUnless { isChecking && it.isOfProject }
             if (refusal == null) runCycle(agent, cycle)
@@ -73,10 +84,20 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     }
 
     private fun create() = try {
-        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, isChecking) }
+        recording.agents.values.associate { it.name to agent(it) }
     } catch (failed: Throwable) {
         programs.close()
         throw refusalOf(failed)
+    }
+
+    private fun agent(recorded: RecordedAgent): ReplayedAgent {
+        val observers = debugPort?.let { mapOf("argo_debug" to "$it") }.orEmpty()
+        return ReplayedAgent(recording, recorded, programs, ::found, isChecking, observers).also {
+            if (it.observers.size < observers.size) {
+                it.close()
+                throw RecordingException("no debugger can reach agent ${recorded.name} at port $debugPort; the log says why")
+            }
+        }
     }
 
     private fun runCycle(agent: String, cycle: Cycle) {

@@ -2,6 +2,7 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.recording.Cycle
 import argo.recording.RecordedAgent
@@ -14,6 +15,7 @@ import jason.asSemantics.TransitionSystem
  *
  * @param programs the files of the agents' programs, whose code has been checked
  * @param isChecking whether to carry out the project's code
+ * @param observers options of observers, such as `argo_debug=4711`
  * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
  */
 internal class ReplayedAgent(
@@ -22,15 +24,20 @@ internal class ReplayedAgent(
     programs: ProgramFiles,
     private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
     private val isChecking: Boolean = false,
+    observers: Map<String, String> = emptyMap(),
     boundaryOf: (ReplayedInputs, RecordedAnswers) -> Boundary = { inputs, _ -> inputs },
 ) : AutoCloseable {
     private val answers = RecordedAnswers(isChecking) { what, before, now, cause -> report(what, before, now, cause) }
     private val inputs = ReplayedInputs(answers)
     private val includes = RecordedIncludes(recording, recorded.name)
-    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
+    val ts: TransitionSystem =
+        jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking, observers)
+    private val arch get() = ts.agArch as Arch
 
     /** The agent as its observers see it. */
-    val observed: ObservedAgent get() = (ts.agArch as Arch).observed
+    val observed: ObservedAgent get() = arch.observed
+
+    val observers: List<AgentObserver> get() = arch.observers
     private val start = recording.start(recorded.name)
     private val seen = LinkedHashSet<String>() // names of the project's threads seen so far
     private var lastIndex = start?.index ?: 0L

@@ -58,8 +58,8 @@ internal class ReplayCommand : JasonCommand() {
         }
         if (ofAgents != null || classPath != null || json) {
             misuse(
-                "--check, --from, --until, --of, --agent, --filter, --within, --class-path and --json are for a recording of agents, " +
-                    "and $file is none",
+                "--check, --from, --until, --of, --agent, --filter, --within, --debug, --class-path and --json are for a recording of " +
+                    "agents, and $file is none",
             )
         }
         return serveBoard()
@@ -70,7 +70,10 @@ internal class ReplayCommand : JasonCommand() {
         options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
         if (!runsHere) return runElsewhere("$file")
         if (options.isWhatIf) return runOthers(options)
-        val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck).run()
+        val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck, options.debugPort).run { agent, changed ->
+            changed.forEach { err.println("$it has changed since; breakpoints and places are those of the recorded program") }
+            err.println("agent $agent stands before its first cycle; attach a debugger, set breakpoints, and have it continue")
+        }
         if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
         val isGood = report.problems.isEmpty() && report.isWhole && (if (options.isCheck) report.isDeterministic else report.isIdentical)
@@ -78,8 +81,8 @@ internal class ReplayCommand : JasonCommand() {
     }
 
     private fun runOthers(options: AgentReplayOptions): Int {
-        if (options.isCheck || options.from != null || options.until != null || options.of.isNotEmpty()) {
-            misuse("--check, --from, --until and --of are for the recorded program, and --agent and --filter for others")
+        if (options.isCheck || options.from != null || options.until != null || options.of.isNotEmpty() || options.debugPort != null) {
+            misuse("--check, --from, --until, --of and --debug are for the recorded program, and --agent and --filter for others")
         }
         val within = Duration.ofMillis(options.within ?: WITHIN_MS)
         val report = AgentWhatIf(file, options.programs, options.filter?.let(::filterIn), within).run()

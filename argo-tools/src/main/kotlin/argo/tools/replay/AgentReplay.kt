@@ -13,6 +13,7 @@ import java.nio.file.Path
  * @param until the moment at which the replay ends; null: at the end
  * @param shownAgents the agents to show; empty: all
  * @param isChecking whether the project's own actions and functions are carried out again
+ * @param debugPort the port at which debuggers reach the agents; null: none
  */
 internal class AgentReplay(
     private val file: Path,
@@ -20,27 +21,33 @@ internal class AgentReplay(
     private val until: Moment?,
     private val shownAgents: Set<String>,
     private val isChecking: Boolean,
+    private val debugPort: Int?,
 ) {
-    /** @throws RecordingException if no part of the recording can be replayed */
-    fun run(): ReplayReport = Recording(file).use { recording ->
+    /**
+     * Returns the result. With a [debugPort], an agent stands before the first cycle, until a debugger has it go on; then [standing] gets its
+     * name, and the files of programs that have changed since.
+     * @throws RecordingException if no part of the recording can be replayed
+     */
+    fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
         val unknown = shownAgents - recording.agents.keys
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no agent ${unknown.first()}; those that it has: ${recording.agents.keys.joinToString()}")
         }
         try {
-            Replay(recording, isChecking).use { replay(recording, it) }
+            Replay(recording, isChecking, debugPort).use { replay(recording, it, standing) }
         } catch (unreadable: IllegalArgumentException) {
             throw ToolException("a message in $file cannot be read: ${unreadable.message}")
         }
     }
 
-    private fun replay(recording: Recording, replay: Replay): ReplayReport {
+    private fun replay(recording: Recording, replay: Replay, standing: (String, List<Path>) -> Unit): ReplayReport {
         val firstNs = recording.firstNs
             ?: throw ToolException("$file holds no cycle of an agent; an agent that cannot be recorded says why in the log of its run")
         val beginNs = replay.nextNs ?: firstNs
         val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
         val cycles = cycles(recording, firstNs, endNs)
         if (from != null && cycles.isEmpty()) throw ToolException("$file has no cycle in the time of --from and --until")
+        if (debugPort != null) replay.pause()?.let { standing(it, recording.changedFiles()) }
         val begin = System.nanoTime()
         val trouble = stopping { replay.run(endNs) }
         val elapsedNs = System.nanoTime() - begin

@@ -51,6 +51,16 @@ internal class AgentReplayOptions {
     var filter: Path? = null
         private set
 
+    @Option(
+        names = ["--debug"],
+        paramLabel = "PORT",
+        description = [
+            "stands before the first cycle, lets debuggers of editors reach the agents at this port, and stands at their breakpoints; 0: any port",
+        ],
+    )
+    var debugPort: Int? = null
+        private set
+
     /** True if agents run with other programs or another filter than recorded. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 

@@ -260,6 +260,17 @@ class ReplayAgentsSpec : FunSpec({
         argo("replay", "$drive", "--check", "--agent", "$drive").status shouldBe 2
     }
 
+    test("a debugger that cannot reach the agents is refused, and one of other programs than the recorded") {
+        argo("replay", "$drive", "--debug", "4711").run { // the module for debuggers is not on the class path here
+            status shouldBe 1
+            err shouldBe "no debugger can reach agent agent at port 4711; the log says why\n"
+        }
+        argo("replay", "$drive", "--debug", "4711", "--agent", "$drive").run {
+            status shouldBe 2
+            err shouldStartWith "--check, --from, --until, --of and --debug are for the recorded program"
+        }
+    }
+
     test("options of boards and of agents exclude each other") {
         argo("replay", "$drive", "--loop").run {
             status shouldBe 2
@@ -268,7 +279,7 @@ class ReplayAgentsSpec : FunSpec({
         val board = directory.resolve("board.rec").apply { writeBytes("javino-recording 1\n".encodeToByteArray()) }
         argo("replay", "$board", "--check").run {
             status shouldBe 2
-            err shouldStartWith "--check, --from, --until, --of, --agent, --filter, --within, --class-path and --json are for "
+            err shouldStartWith "--check, --from, --until, --of, --agent, --filter, --within, --debug, --class-path and --json "
         }
     }
 
