@@ -1,4 +1,4 @@
-/** The one jar that a Jason project adds: everything but Jason. */
+/** The one jar that a Jason project adds: everything except Jason. */
 val argoJar by tasks.registering(JavaExec::class) {
     description = "Packs argo.jar."
     val jar = layout.buildDirectory.file("libs/argo.jar")
@@ -12,7 +12,7 @@ val argoJar by tasks.registering(JavaExec::class) {
     argumentProviders.add(CommandLineArgumentProvider { listOf(jar.get().asFile.path, version, packed.asPath) })
 }
 
-/** What `argo-fleet.jar` and `argo.jar` hold together. */
+/** The content that `argo-fleet.jar` and `argo.jar` have in common. */
 val fleets = configurations.create("fleets") {
     isCanBeConsumed = false
     attributes { attribute(Usage.USAGE_ATTRIBUTE, objects.named(Usage.JAVA_RUNTIME)) }

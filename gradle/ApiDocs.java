@@ -13,7 +13,7 @@ import org.jetbrains.dokka.utilities.MessageEmitter;
 
 /**
  * Writes a module's API documentation with Dokka, for builds that use no plugin but Kotlin's; Java runs it from source. Dokka's formats on
- * the class path decide about the form.
+ * the class path determine the form.
  *
  * <p>Arguments: the module's name, the folder to write into, the folders of its sources and the class path that they are compiled with, the
  * last two separated as in a class path.

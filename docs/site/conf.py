@@ -51,7 +51,7 @@ class AgentSpeak(RegexLexer):
 
 
 def page_of(target, folder):
-    """The file among the pages that a link leads to: a folder's is its README. None if there is no page."""
+    """The file among the pages that a link leads to: for a folder, its README. None if there is no page."""
     path = (folder / target).resolve()
     path = path / "README.md" if path.is_dir() else path
     return path if path.suffix == ".md" and path.is_file() else None

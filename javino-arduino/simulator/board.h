@@ -26,7 +26,7 @@ typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 /** Called with each byte that the board sends, when the byte's last bit has left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called when the board begins to send a byte. `cycle` is when the byte's last bit will have left. */
+/** Called when the board begins to send a byte. `cycle` is the cycle at which the byte's last bit will have left. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
 /** The board. All members but avr are private. */
@@ -52,7 +52,7 @@ struct board {
     unsigned out_begin;
     unsigned out_end;
     bool sending;
-    uint64_t out_free; /* the cycle at which the last byte passed to forecast will have left */
+    uint64_t out_free; /* the cycle at which the last bit leaves of the byte that forecast got last */
 };
 
 /**

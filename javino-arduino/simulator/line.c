@@ -26,7 +26,7 @@ static bool leads_to(const char *link, const char *path)
     return length == (ssize_t)strlen(path) && memcmp(target, path, (size_t)length) == 0;
 }
 
-/* Makes a link. Replaces the link of a killed simulator, which leads nowhere or to this pseudo-terminal. */
+/* Makes a link. Replaces a link that a killed simulator has left, if it leads nowhere or to this pseudo-terminal. */
 static bool make_link(const char *path, const char *link)
 {
     struct stat there;
@@ -78,7 +78,7 @@ bool line_opened(line *line)
                     tcflush(line->slave, TCIFLUSH);
                 opened = true;
             } else if (event->mask & IN_CLOSE && line->users > 0 && --line->users == 0) {
-                rate_forget(line->slave); /* The next program may set no rate. */
+                rate_forget(line->slave); /* The next program may set no rate of its own. */
             }
             at += sizeof *event + event->len;
         }

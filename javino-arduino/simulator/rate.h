@@ -10,8 +10,8 @@ unsigned rate_of(int terminal);
 void rate_forget(int terminal);
 
 /**
- * Returns the byte that a receiver reads. If the rates differ by at most 3 %, that is the byte sent; else it consists of the bits that the
- * receiver samples.
+ * Returns the byte that a receiver reads. If the rates differ by at most 3 %, this is the byte that was sent; otherwise it consists of the
+ * bits that the receiver samples.
  *
  * @param sent      the sender's rate, in baud; 0 stands for the receiver's rate
  * @param received  the receiver's rate, in baud; 0 stands for the sender's rate

@@ -1,6 +1,6 @@
 /**
  * @file
- * The Javino protocol for Arduino: an agent asks this board for percepts and has it carry out actions.
+ * The Javino protocol for Arduino: an agent asks this board for percepts and tells it to carry out actions.
  *
  *     #include <Javino.h>
  *
@@ -33,14 +33,14 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream that has no rate and that the sketch
-   * opens, such as a WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. It can also be a board on a stream that has no rate and that
+   * the sketch opens, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
   /** Opens the board's port, if it can be opened, and begins the conversation. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
-    /* Serial by name: for a constant rate the compiler then computes its settings. */
+    /* Serial by name: for a constant rate the compiler then computes the port's settings. */
     if (open_)
       open_(stream_, baud);
     else
@@ -54,7 +54,7 @@ public:
 private:
   template <typename Port> static void open(Stream &port, unsigned long baud) { open(static_cast<Port &>(port), baud, 0); }
 
-  /* The first open() is used if it compiles, else the second. */
+  /* The first open() is used if it compiles, otherwise the second. */
   template <typename Port> static auto open(Port &port, unsigned long baud, int) -> decltype(port.begin(baud), void()) { port.begin(baud); }
   template <typename Port> static void open(Port &, unsigned long, long) {}
 

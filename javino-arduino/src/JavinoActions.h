@@ -37,7 +37,7 @@ public:
         actions_.add(name, function);
     }
 
-    /** The same for a function that gets the board. A template, so NULL counts as a Function. */
+    /** The same for a function that gets the board. It is a template so that NULL counts as a Function. */
     template <typename = void> void operator=(BoardFunction function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
@@ -93,7 +93,7 @@ private:
     UNCERTAIN /* a longer text that begins with this one could be another action */
   };
 
-  /** Does not compile. The error says what to write. */
+  /** Does not compile. The compiler's error says what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
@@ -210,7 +210,7 @@ private:
   Reader known_;     /* Kept here, instead of in reader_, while unknown_ is set. */
   Function unknown_; /* Called for unknown actions. */
   uint8_t count_;
-  bool described_; /* Computers are told the actions. */
+  bool described_; /* True: computers are told the actions. */
 };
 
 #endif

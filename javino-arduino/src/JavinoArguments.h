@@ -40,7 +40,7 @@ public:
    * Copies an argument, and ends it with a zero. A string loses its quotes.
    *
    * @param size  the bytes that `to` holds; a longer text is cut off
-   * @return the length of the whole argument, without the zero; 0: there is none
+   * @return the length of the whole argument, without the zero; 0: there is no such argument
    */
   size_t copy(uint8_t index, char *to, size_t size) const;
 

@@ -138,7 +138,7 @@ void JavinoBoard::handle() {
 
 /**
  * Carries out the action in hand; false: the action has to wait. In version 1 the size may be damaged, and the text only the beginning of a
- * longer action. Such a beginning is mostly no action: its brackets are open. If it can be an action, the bytes behind it decide.
+ * longer action. Such a beginning is mostly no action, since its brackets are open. If it could be an action, the bytes behind it decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;

@@ -88,7 +88,7 @@ public:
    */
   typedef JavinoActions::BoardFunction BoardCallback;
 
-  /** Sets the longest pause within a message, at most 10,000 ms. At a serial port it begins as 100 ms, below 2000 baud as 20 byte times. */
+  /** Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms, below 2000 baud 20 byte times. */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
   /** Takes the bytes that have arrived. run() and availableMsg() do this too, so a sketch works without serialEvent(). */
@@ -99,7 +99,7 @@ public:
 
   /**
    * Handles all messages that have arrived: answers requests for percepts, carries out actions, reports a lost link. Refuses unknown
-   * actions; in version 1 ignores them. Call it in every loop(). Within a callback it only takes the bytes that have arrived, so a long
+   * actions; in version 1 ignores them. Call it in every loop(). Within a callback, run() only takes the bytes that have arrived, so a long
    * callback loses none. Requests and actions, even `stop`, wait until the callback has returned. See later().
    */
   void run();
@@ -109,7 +109,7 @@ public:
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
   }
-  /** The same for a function that gets the board. A template, so NULL counts as a Callback. */
+  /** The same for a function that gets the board. It is a template so that NULL counts as a Callback. */
   template <typename = void> void perceive(BoardCallback write) {
     perceive_ = reinterpret_cast<Callback>(write);
     look_ = write ? perceiveWithBoard : NULL;
@@ -123,8 +123,8 @@ public:
    *
    * @param name       the functor. It is not copied, so it must last. Only a name in flash is copied into the board's memory, so give it
    *                   before anything has arrived
-   * @param function   takes the board, the arguments, both in this order, or neither. Without arguments it refuses an action that has some.
-   *                   It returns `void`, or `bool`: false refuses the action
+   * @param function   takes the board, the arguments, both in this order, or neither. If it takes no arguments, an action that has some is
+   *                   refused. The function returns `void`, or `bool`: false refuses the action
    * @param arguments  the number of arguments. With another number the action is refused, and the function is not called
    * @return false if the action is left out: see JavinoActions::full()
    */
@@ -171,26 +171,26 @@ public:
    *                  If it returns `bool`, true means that it has carried the action out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
-  /** The same for a function that returns bool. A template, so NULL counts as a function that returns void. */
+  /** The same for a function that returns bool. It is a template so that NULL counts as a function that returns void. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
    * Call it in an action's function to report the outcome later, with done(). The function returns at once, and its result is ignored. The
-   * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
-   * version 2 is carried out, not even an urgent one. So if another action must be able to stop this one, report this one as carried out
-   * when it begins. A percept can then report the end.
+   * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until done() is called, no other
+   * action of version 2 is carried out, not even an urgent one. So if another action must be able to stop this action, report this one as
+   * carried out when it begins. A percept can later report its end.
    *
    * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
    */
   JavinoLater later() { return javino_link_later(&board_.link); }
 
-  /** Reports whether an action that called later() was carried out. @return false: the computer has begun anew, so nobody waits for it */
+  /** Reports whether an action that called later() was carried out. @return false: a new session has begun, so nobody waits for it */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
    * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. The function can stop motors
-   * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() are
-   * dated to its beginning. Only a watchdog notices a loop() that never returns.
+   * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() count
+   * as arrived at its beginning. Only a watchdog notices a loop() that never returns.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
@@ -198,7 +198,7 @@ public:
     supervise_ = ms && function ? loseAlone : NULL;
     javino_link_supervise(&board_.link, millis());
   }
-  /** The same for a function that gets the board. A template, so NULL counts as a Callback. */
+  /** The same for a function that gets the board. It is a template so that NULL counts as a Callback. */
   template <typename = void> void onLinkLost(unsigned long ms, BoardCallback function) {
     onLinkLost(ms, reinterpret_cast<Callback>(function));
     supervise_ = ms && function ? loseWithBoard : NULL;
@@ -219,8 +219,8 @@ public:
 
   /**
    * Lets the board itself watch critical rules, which the computer sets. When a rule begins to be met, its reflex is carried out at once,
-   * within a run(). The function of perceive() is called up to every 5 ms for the percepts that the rules name. It should read no other
-   * sensor; wants() tells which. A reflex's action is called within percept().
+   * within a run(). The function of perceive() is called up to every 5 ms for the percepts that the rules name. The function should read no
+   * sensor that wants() does not ask for. A reflex's action is called within percept().
    *
    * Call it in setup(), before anything arrives. A sketch without this call does not link the code.
    *
@@ -276,7 +276,7 @@ public:
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;
 
-  /** Sends the percepts as the answer. run() does so itself after the function of perceive(). */
+  /** Sends the written percepts as the answer. run() does so itself after the function of perceive(). */
   void sendPercepts() { javino_board_answer(&board_); }
 
   /** Forgets the percepts that have been written. */
@@ -304,7 +304,8 @@ public:
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. Sends all of them, whichever functors the request names.
+   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. Sends all percepts in the message, whichever functors
+   * the request names.
    *
    * @return false: version 1 cannot send a percept of this length
    */

@@ -42,7 +42,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops bytes that the stream does not take: nobody is there any more. */
+  /** Writes the gathered bytes. Drops bytes that the stream does not take, since nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {

@@ -230,7 +230,8 @@ static void begin_item(javino_board *b)
 }
 #endif
 
-/* Sends whole percepts ahead of the rest, as many as a frame holds. If a percept is longer than the memory, sends a piece of it. */
+/* Sends whole percepts ahead of the rest, as many as a frame holds. If a percept is longer than the memory, sends a piece of the
+ * percept. */
 static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
@@ -441,7 +442,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
         b->part = 0; /* An answer ends with its session. */
 #endif
 #if JAVINO_TEXT_MAX > 255
-    /* A percept that has waited for version 2 may be too long for version 1. */
+    /* A percept written for version 2 may be too long for version 1. */
     if (b->length == 0 || (!JAVINO_IS_2(&b->link) && b->room > JAVINO_MAX_PAYLOAD + HEADER))
         javino_board_clear(b);
 #endif

@@ -2,10 +2,10 @@
  * @file A board: a link, and the percepts with which it answers requests.
  *
  * An answer is text: percepts, each with a `;` behind it. The answer is built behind the received bytes, in the link's memory. The board
- * codes it in place when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits,
- * the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of
- * the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame
- * still arrives. In version 1 they are one message of at most 255 bytes.
+ * codes it in place when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept except its
+ * digits, the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out early: in version 2 as a
+ * part of the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest
+ * frame still arrives. In version 1 they are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -70,7 +70,7 @@ enum {
     JAVINO_RULES_ALL      /**< The rest of an answer in parts goes out, at any time. */
 };
 
-/** A board. The members are private except link, for javino_link_receive and its like. */
+/** A board. The members are private except link, which is for functions such as javino_link_receive. */
 typedef struct javino_board {
     char *text;
     uint16_t memory; /* number of bytes */
@@ -98,14 +98,14 @@ typedef struct javino_board {
  *
  * @param memory   belongs to the board from now on
  * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received. More memory
- * serves long answers, and bytes that arrive during such an answer.
+ * helps with long answers, and with bytes that arrive during such an answer.
  * @param write    as for javino_link_init
  * @param context  handed to write
  * @return false if the size is less than JAVINO_MEMORY_MIN; then do not use the board
  */
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
-/** Takes bytes away from the end of the memory. @return NULL: too few would be left, or percepts are being written */
+/** Takes bytes away from the end of the memory. @return NULL: too few bytes would be left, or percepts are being written */
 void *javino_board_take(javino_board *board, uint16_t size);
 
 /** Like javino_board_take, from the beginning of the memory. @return NULL also if something has arrived */
@@ -128,7 +128,10 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
  */
 bool javino_kind_begin(javino_board *board);
 
-/** Begins a percept with its functor: an atom, perhaps behind a ~. @return false: nobody wants the percept; write nothing, do not end it */
+/**
+ * Begins a percept with its functor: an atom, perhaps behind a ~. @return false: nobody wants the percept, so write nothing, and do not end
+ * it
+ */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
 /** Writes one character unchanged. */
@@ -152,7 +155,7 @@ bool javino_percept_end(javino_board *board);
 /** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */
 void javino_board_answer(javino_board *board);
 
-/** For javino_rules.c: sends n bytes of the text, as the end of an answer or ahead of the rest of the answer. */
+/** For javino_rules.c: sends n bytes of the text, as the end of an answer or before the rest of the answer. */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
 /** For javino_rules.c: moves the text to the end of the memory, behind at least `base` bytes for incoming frames. */

@@ -39,8 +39,8 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* While there is no room, bytes of unknown age may wait unread, so no silence counts. A second silence may come while a frame is in hand.
- * The first silence is kept, since the bytes before it have waited longer. */
+/* While there is no room, bytes of unknown age may wait unread, so no silence counts. The line may fall silent a second time while a frame
+ * is in hand. The first silence is the one that is kept, since the bytes before it have waited longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
@@ -106,7 +106,7 @@ static bool is_intact(const javino_decoder *d, const uint8_t *frame, const uint8
 
 /**
  * Reads on in the frame of version 2 at p, as far as the bytes go, and removes the escapes. FOLLOWS_HEADER: the frame is whole.
- * FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows the damage.
+ * FOLLOWS_OTHER: it is damaged, and ends at or in front of the byte that shows the damage.
  */
 static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *end)
 {
@@ -213,7 +213,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (read == JAVINO_FOLLOWS_HEADER && !d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
-            return JAVINO_FOLLOWS_OTHER; /* Such a frame could never arrive whole, with the bytes behind it. */
+            return JAVINO_FOLLOWS_OTHER; /* A frame that is longer than the memory could never arrive whole, with the bytes behind it. */
         if (whole <= stop)
             d->taken = whole;
         else

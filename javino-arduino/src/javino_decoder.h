@@ -31,7 +31,7 @@ typedef struct {
     uint16_t size;
     uint16_t end;      /* number of bytes that have arrived */
     uint16_t gap;      /* place of a silence between the bytes; 0: none */
-    uint16_t taken;    /* bytes of the frame at the front; in version 2 those read so far, without escapes */
+    uint16_t taken;    /* number of bytes of the frame at the front; in version 2 of those read so far, without escapes */
     uint16_t timeout_ms;
     uint16_t last_ms;
     uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */
@@ -52,7 +52,7 @@ typedef struct {
  */
 bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
 
-/** @return true if javino_decoder_put has room. At the latest, it has room after the next javino_decoder_next. */
+/** @return true if javino_decoder_put has room. Even if not, it has room after the next javino_decoder_next. */
 bool javino_decoder_ready(const javino_decoder *decoder);
 
 /**
@@ -85,16 +85,16 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * A frame of version 2 is dropped and not read again if it is damaged, too long for the memory, of another session or not from a computer.
  * Without a session only HELLO is checked. Other frames cannot be checked; they only show that a computer is there.
  *
- * @param now_ms  the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, no byte came after the last
- *                one handed in.
- * @return the frame: JAVINO_OVERHEAD bytes and its payload, in version 2 without escapes. Then call this again before you hand in the next
- *   byte. NULL: no frame yet
+ * @param now_ms the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, the byte that was handed in
+ * last is the newest.
+ * @return the frame: JAVINO_OVERHEAD bytes and its payload, in version 2 without escapes. In that case call this again before you hand in
+ * the next byte. NULL: no frame yet
  */
 const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms);
 
 /**
- * Decides whether the version 1 frame in hand is whole, or the beginning of a longer one with a damaged size. There is no checksum: the
- * next bytes decide, or silence for a sixteenth of the timeout.
+ * Decides whether the version 1 frame in hand is whole, or is the beginning of a longer frame whose size is damaged. There is no checksum:
+ * the next bytes decide, or a silence of a sixteenth of the timeout.
  *
  * @param now_ms  as for javino_decoder_next
  * @return JAVINO_FOLLOWS_HEADER: it is whole; JAVINO_FOLLOWS_OTHER: it may not be; JAVINO_FOLLOWS_UNKNOWN: ask again later, or no frame is

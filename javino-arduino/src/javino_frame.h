@@ -2,10 +2,10 @@
  * @file Frames of the Javino protocol, versions 1 and 2: their kinds and bytes, the checksum, and the encoder, which writes them.
  *
  * Plain C99 without heap, floating point or a board's header. All memory is the caller's. No function waits: the caller hands in the bytes
- * one by one, and the time if it matters. Times are milliseconds of a clock that may wrap around, often only its lower 16 bits. Call no
- * function from an interrupt; a receive interrupt fills its own buffer, from which the program takes the bytes.
+ * one by one, and also the time if it matters. Times are milliseconds of a clock that may wrap around, often only its lower 16 bits. Call
+ * no function from an interrupt; a receive interrupt fills its own buffer, from which the program takes the bytes.
  *
- * The layers, each usable without the next:
+ * The layers, each usable without those behind it:
  *  - javino_frame.h: frames; javino_decoder.h: finds frames in received bytes;
  *  - javino_link.h: the conversation: versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
@@ -68,7 +68,7 @@ enum {
 #define JAVINO_START 0xA5
 /** Stands in front of each escaped byte of a frame of version 2. */
 #define JAVINO_ESCAPE 0xA4
-/** The bits in which a byte differs from its substitute behind an escape. */
+/** The bits in which a byte differs from the byte that replaces it behind an escape. */
 #define JAVINO_ESCAPED 0xA0
 
 #ifndef JAVINO_VERSION_2_ONLY
@@ -102,7 +102,7 @@ typedef struct {
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 #endif
 
-/** Begins a frame of version 2, with the bytes CC (kind) and SS (number). The same calls must follow as behind javino_encoder_begin. */
+/** Begins a frame of version 2, with the bytes CC (kind) and SS (number). The same calls must follow as after javino_encoder_begin. */
 void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length);
 
 /** Writes one byte of payload, in version 2 with an escape if necessary. */

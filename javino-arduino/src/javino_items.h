@@ -15,7 +15,7 @@ extern "C" {
 enum {
     JAVINO_ITEM_CONTINUED = 0x7E, /**< The beginning of a text. */
     JAVINO_ITEM_TEXT = 0x7F,      /**< A text without an id. */
-    JAVINO_ITEM_DIGITS = 0x80,    /**< Plus an id. Only digits follow, of this id's percept and of those with the next ids. */
+    JAVINO_ITEM_DIGITS = 0x80,    /**< Plus an id. Only digits follow: those of this id's percept, and of the percepts with the next ids. */
     JAVINO_ITEM_NEW = 0xFF        /**< Never sent: a text that is not coded yet. */
 };
 

@@ -191,7 +191,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        if (number != l->session) /* else the same HELLO came twice */
+        if (number != l->session) /* otherwise the same HELLO came twice */
             begin_session(l, number);
         welcome(l);
     } else if (!l->session) {

@@ -60,7 +60,7 @@ typedef uint8_t javino_later;
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
     uint8_t length;     /**< Bytes of its text. */
-    const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
+    const char *text;   /**< Its text, not terminated. The event stays in place until the message is over. */
     const void *actions;  /**< A row of javino_action, numbered from the last. */
     uint8_t action_size;  /**< The distance between two actions in memory, in bytes. */
     uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, the default: the actions have no numbers. */
@@ -85,7 +85,7 @@ typedef struct {
     uint8_t known;      /* number of shapes whose text the computer knows */
     uint8_t shapes;     /* number of shapes that have been sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the frame in hand holds commands; its length and number now tell of the rest */
+    bool row;           /* the frame in hand holds commands; its length and number now describe the commands that are left */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
@@ -123,13 +123,13 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
  * Ends the message in hand, whose command counts as carried out, and looks for the next. Handles frames that need no program. A command
- * that is repeated because an acknowledgement was lost is acknowledged again, but not handed out. Call it more often than every 20 s; a
+ * that is repeated because an acknowledgement was lost is acknowledged again, but not handed out. Call it at least every 20 s; a
  * javino_board calls it in javino_board_poll.
  *
  * Before each call hand in all bytes that wait, until javino_link_ready returns false.
  *
- * @param now_ms  the time of the last look into the receive buffer. An earlier time does no harm; with a later time, bytes from in between
- * count as late. With any time, no command is carried out twice
+ * @param now_ms the time of the last look into the receive buffer. An earlier time does no harm; with a later time, bytes that come in
+ * between count as late. Whatever the time, no command is carried out twice
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
@@ -137,8 +137,8 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 void javino_link_finish(javino_link *link, bool done);
 
 /**
- * Ends the command in hand without an outcome; javino_link_done must follow. Until then no other command of version 2 is carried out;
- * requests are answered.
+ * Ends the command in hand without an outcome; javino_link_done must follow. Until its outcome is reported, no other command of version 2
+ * is carried out; requests are answered.
  *
  * @return the value for javino_link_done; 0: version 1, or no command is in hand
  */
@@ -155,10 +155,10 @@ void javino_link_supervise(javino_link *link, uint32_t now_ms);
 
 /**
  * Returns true if the far end has fallen silent, and motors should stop. Call it after every javino_link_poll. Bytes that arrived while the
- * program was busy are dated to the beginning of that time.
+ * program was busy count as arrived at the beginning of that time.
  *
- * @param silence_ms  the time without a valid frame after which the link is lost
- * @return true once, and again only after something has arrived
+ * @param silence_ms the time without a valid frame after which the link is lost
+ * @return true once; and again only after something has arrived
  */
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
 

@@ -112,7 +112,7 @@ static uint8_t word(const char *text, const char *end)
     return p < end ? (uint8_t)(p - text) : 0;
 }
 
-/* Returns the length of the first of one value or two. */
+/* Returns the length of the first value; there may be a second one. */
 static uint8_t first_value(const char *values, uint8_t length)
 {
     uint8_t n = 0;
@@ -185,8 +185,8 @@ static bool holds(const char *condition, uint8_t length, bool met, const char *t
     }
 }
 
-/* Returns true if a percept meets a rule, which was met at the last look or not. Sets reflex to the beginning of the rule's reflex, or to
- * the rule's end. */
+/* Returns true if a percept meets a rule; `met` tells whether the rule was met at the last look. Sets reflex to the beginning of the rule's
+ * reflex, or to the rule's end. */
 static bool meets(const char *rule, const char *end, bool met, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -279,7 +279,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. Percepts that the program writes in it wait, like unasked percepts. */
+/* Carries a reflex out. Percepts that the program writes in the meantime wait, like unasked percepts. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -359,7 +359,7 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers in parts ---- */
 
-/* Sends the next part of an answer, to an earlier message than the one in hand. */
+/* Sends the next part of an answer to an earlier message than the one in hand. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -404,8 +404,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* If the line is free, sends the next part of the answer. With any `where` but JAVINO_RULES_GO_ON, sends all remaining parts. Returns false
- * if no answer is being sent. */
+/* If the line is free, sends the next part of the answer. With any `where` except JAVINO_RULES_GO_ON, sends all remaining parts. Returns
+ * false if no answer is being sent. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;

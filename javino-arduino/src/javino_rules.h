@@ -24,7 +24,7 @@ extern "C" {
 /** Writes the wanted percepts, as for a request, but does not answer. */
 typedef void (*javino_perceive)(void *context);
 
-/** Carries out the command of a reflex. @return false: it is unknown or malformed */
+/** Carries out the command of a reflex. @return false: the command is unknown or malformed */
 typedef bool (*javino_act)(void *context, const char *text, uint8_t length);
 
 /** The rules of a board. Rules lie in the board's memory. The members are private. */
@@ -37,7 +37,7 @@ struct javino_rules {
     uint16_t size; /* bytes for texts */
     uint16_t used;
     uint8_t met;  /* rules that were met at the last look; the first rule is the lowest bit */
-    uint8_t seen; /* rules that are met at this look */
+    uint8_t seen; /* rules that have been met so far in this look */
     uint8_t session; /* session of the answer that goes out in parts */
 };
 

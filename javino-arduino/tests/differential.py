@@ -17,6 +17,9 @@ from javino2.device import Device  # noqa: E402
 from javino2.program import Program  # noqa: E402
 
 
+RULES_SIZE = 250
+
+
 class Knows(Program):
     """The program of driven/board.c."""
 
@@ -30,6 +33,20 @@ class Knows(Program):
         return LATER if text == b"grip" else DONE
 
 
+class AnyOrder(list):
+    """Frames whose order is free."""
+
+    def __eq__(self, sent):
+        for frame in self:
+            if frame not in sent:
+                return False
+            sent = sent.replace(frame, b"", 1)
+        return not sent
+
+    def hex(self):
+        return " ".join(frame.hex() for frame in self)
+
+
 class Stream:
     """One random conversation with the reference. Mostly sends what it expects next."""
 
@@ -38,20 +55,27 @@ class Stream:
     def __init__(self, rng):
         self.rng = rng
         self.now = rng.randrange(70000)
-        self.device = Device(Knows(), self.now, credit=63, max_rules=0, shapes=64)
+        self.has_rules = rng.random() < 0.4
+        self.device = Device(Knows(), self.now, credit=63, max_rules=8 if self.has_rules else 0, shapes=64)
         self.request = 0
         self.steps = []  # each as its name, its record, and the reference's answer
 
     def run(self):
-        self._step("new", record(b"n", self.now), b"")
+        self._step("new", record(b"n", self.now, flag=RULES_SIZE if self.has_rules else 0), b"")
         self._step("begin", record(b"b", self.now), self.device.receive(b"", self.now))
+        if self.has_rules:
+            hello = frames.encode(frames.Frame(frames.HELLO, 7))
+            self._step("hello", record(b"b", self.now, hello), self.device.receive(hello, self.now))
         for _ in range(self.rng.randrange(2, 14)):
             kind = self.rng.random()
-            if kind < 0.1:
+            if self.has_rules and kind < 0.4:
+                self._percepts()
+                self._look()
+            elif kind < 0.1:
                 self._percepts()
             elif kind < 0.2:
                 self._outcome()
-            elif kind < 0.25 and self.device.board.session and self.device.program.texts:
+            elif kind < 0.25 and not self.has_rules and self.device.board.session and self.device.program.texts:
                 self._step("unasked", record(b"u", self.now), self.device.percepts_unasked())
             else:
                 self._bytes()
@@ -64,6 +88,12 @@ class Stream:
                  for i in range(rng.randrange(7))] + [b"say(\"a;b\xa5\")"] * rng.randrange(2)
         self.device.program.texts = [text + b";" for text in texts]
         self._step(f"percepts {texts}", record(b"p", self.now, b"".join(text + b"\0" for text in texts)), b"")
+
+    def _look(self):
+        """The board may tell of the rules that begin to be met in any order."""
+        self.now += 5
+        frames_sent = [frames.encode(frame, self.device.board.session) for frame in self.device.board.look()]
+        self._step(f"a look at {self.now}", record(b"l", self.now), AnyOrder(frames_sent))
 
     def _outcome(self):
         done = self.rng.random() < 0.5
@@ -79,6 +109,8 @@ class Stream:
 
     def _message(self):
         rng = self.rng
+        if self.has_rules and rng.random() < 0.7:
+            return self._sealed(frames.Frame(frames.COMMANDS_RESUME, self.device.board.due, self._row()))
         kind = rng.random()
         if kind < 0.12:
             return self._sealed(frames.Frame(frames.HELLO, rng.choice((0, *[rng.randrange(1, 256)] * 9, *[self.device.board.session] * 6))))
@@ -107,10 +139,26 @@ class Stream:
         rng = self.rng
         row = b""
         for _ in range(rng.randrange(6)):
-            row += commands.item(rng.choice((commands.NOTHING, rng.randrange(8), 0, 1, rng.choice(self.TEXTS))))
+            if self.has_rules and rng.random() < 0.6:
+                row += commands.item(commands.Rule(self._rule()))
+            else:
+                row += commands.item(rng.choice((commands.NOTHING, rng.randrange(8), 0, 1, rng.choice(self.TEXTS))))
         if rng.random() < 0.1:
             row += rng.choice((b"\xff\x80", b"\xff\x00", b"\xff", b"\xff\x03\x07a\x00", b"\xff\x01\x00", b"\x00", b"\x05abc", b"\x00\x90abc", b"\x00\x00\x80", b"\x00\x05front", b"\x81", b"\xfd"))
         return row
+
+    def _rule(self):
+        """Mostly a rule, of at most 30 bytes, so that all have room."""
+        rng = self.rng
+        number = bytes([rng.choice((0, *range(1, 11), 255))])
+        if rng.random() < 0.15:
+            return number
+        text = number + b"p%d\0" % rng.randrange(4)
+        for _ in range(rng.choice((0, 1, 1, 1, 2))):
+            limit = rng.choice((b"5", b"-3", b"50", b"9.5", b"500", b"a", b""))
+            until = rng.choice((b"", b"", b"\1" + rng.choice((b"7", b"-90", b"700", b"b", b""))))
+            text += rng.choice(b"1123").to_bytes(1, "big") + rng.choice((b"<", b">", b"{", b"}", b"=", b"!", b"~")) + limit + until + b"\0"
+        return text + rng.choice((b"", b"\2left", b"\2fly", b"\2"))
 
     def _harm(self, data):
         rng = self.rng
@@ -128,7 +176,7 @@ class Stream:
 
     def compare(self, found):
         for i, ((_, _, reference), core) in enumerate(zip(self.steps, found)):
-            if core != reference:
+            if reference != core:
                 lines = [what for what, _, _ in self.steps[:i + 1]]
                 lines += [f"{name} {sent.hex()} {carried}" for name, (sent, carried) in (("core     ", core), ("reference", reference))]
                 raise SystemExit("a difference:\n" + "\n".join(lines))

@@ -2,11 +2,12 @@
 
 The program is driven/board.c. A record to it is a letter, a flag, the time in ms (2 bytes), a length (2 bytes), bytes:
 
-    n  a new board                                   c  the checksum of the bytes is sent
+    n  a new board; the flag: bytes for rules        c  the checksum of the bytes is sent
     b  bytes that arrive at the board                e  a frame of version 1 with this payload is sent
     p  the percepts' texts                           E  a frame of version 2 of CC SS payload, in the session whose nonce is the flag
     u  they are sent unasked                         s  a new decoder, in the session whose nonce is the flag
     d  the outcome of the action begun last          r  bytes that arrive at the decoder
+    l  a look at the percepts for the rules
 
 The answer to each has bytes that are sent, and texts that are carried out or found, each with a length of 2 bytes in front. A decoder sends
 the frames of version 2 that it finds: length CC SS payload. All numbers have their lowest byte first.

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Compares the core in a program of its own with the vectors of frames, of checksums, and of what a board receives, in both versions.
+"""Compares the core in a program of its own with the vectors of frames, of checksums, of what a board receives, in both versions, and of
+rules.
 
     driven_vectors.py PROGRAM...      PROGRAM is driven/board.c, compiled, and its arguments
 """
@@ -7,9 +8,11 @@ import json
 import pathlib
 import sys
 
-from driven import answers, record
-
 VECTORS = pathlib.Path(__file__).parent.parent / "vectors"
+sys.path.insert(0, str(VECTORS))
+from driven import answers, record  # noqa: E402
+from javino2 import commands, frames  # noqa: E402
+
 STARTS = (0, 12345, 65400)  # the clock wraps around too
 
 
@@ -85,15 +88,39 @@ def version_2(vectors):
                                lambda found, expected=expected: ((texts_of(found), frames_of(found)), expected))
 
 
+def rules(vectors):
+    return map(watches, vectors["rules"])
+
+
+def watches(vector):
+    """A board whose rule is set anew before each look, so that it was not met before."""
+    nonce = 7
+    rule = commands.item(commands.Rule(vector["command"].encode("latin-1")))
+
+    def sets(kind, number):
+        return record(b"b", data=frames.encode(frames.Frame(kind, number, rule), nonce))
+
+    records = [record(b"n", flag=250), record(b"b", data=frames.encode(frames.Frame(frames.HELLO, nonce), 0)), sets(frames.COMMANDS, 0)]
+    for i, percept in enumerate(vector["percepts"] if vector["met"] else []):
+        texts = percept.encode("latin-1").removesuffix(b";") + b"\0"
+        records += [sets(frames.COMMANDS_RESUME, i + 1), record(b"p", data=texts), record(b"l", 5 * (i + 1))]
+
+    def compared(found):
+        taken = frames.encode(frames.Frame(frames.ACK if vector["met"] else frames.ACK | frames.REFUSED, 1), nonce)
+        return (found[2][0], [bool(sent) for sent, _ in found[5::3]]), (taken, vector["met"] or [])
+
+    return Case(vector, records, compared)
+
+
 def main():
     cases = [list(version(json.loads((VECTORS / name).read_text())))
-             for version, name in ((version_1, "javino-vectors.json"), (version_2, "javino2-vectors.json"))]
+             for version, name in ((version_1, "javino-vectors.json"), (version_2, "javino2-vectors.json"), (rules, "javino2-vectors.json"))]
     found = answers(sys.argv[1:], [r for case in sum(cases, []) for r in case.records])
     for case in sum(cases, []):
         case.check(found[:len(case.records)])
         del found[:len(case.records)]
     counts = [len({id(case.vector) for case in version}) for version in cases]
-    print(f"ok   {counts[0]} vectors of version 1 and {counts[1]} of version 2")
+    print(f"ok   {counts[0]} vectors of version 1 and {counts[1]} of version 2, {counts[2]} of rules")
 
 
 if __name__ == "__main__":

@@ -279,7 +279,7 @@ def percepts():
         return {"name": name, "shapes": shapes, "answers": shown}
 
     def two(name, *texts, known=None, shapes=MAX_SHAPES):
-        """Sends the same texts twice: first none is known, then as many as possible."""
+        """Sends the same texts twice: at first the computer knows no text, then as many texts as possible."""
         distinct = Writer(shapes)
         distinct.write(list(texts), 0)
         return case(name, (0, list(texts)), (len(distinct.ids) if known is None else known, list(texts)), shapes=shapes)

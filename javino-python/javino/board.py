@@ -17,7 +17,7 @@ _PAGE = 252
 _LOOK_MS = 5
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
-_KINDS = "(?)"  # in place of functors; asks for the kinds of percepts
+_KINDS = "(?)"  # stands in place of a list of functors, and asks for the kinds of percepts
 _NOTHING = None  # a command that only uses up its number
 
 
@@ -70,11 +70,11 @@ class Board:
     """A board on a line.
 
     `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. The default is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port. Knowing
-    the rate, the board spaces the parts of a long answer: the report of a reflex can overtake them. 100 ms of silence end an unfinished
-    frame; below 2000 baud, 20 byte times of silence do. `credit` is the size of the port's receive buffer in bytes. `longest` is the
-    largest payload of a frame in bytes. `shapes` is how many shapes of percepts the board sends only by their digits. `ticks` is a clock of
-    milliseconds.
+    port. The default is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port. If the
+    rate is known, the board spaces the parts of a long answer, so that the report of a reflex can overtake them. 100 ms of silence end an
+    unfinished frame; below 2000 baud, 20 byte times of silence do. `credit` is the size of the port's receive buffer in bytes. `longest` is
+    the largest payload of a frame in bytes. `shapes` is the number of shapes of percepts that the board sends by their digits. `ticks` is a
+    clock of milliseconds.
 
     Call a board from only one thread, never from an interrupt.
     """
@@ -166,7 +166,7 @@ class Board:
         return function
 
     def watch_rules(self, room=8):
-        """Has the board watch up to `room` critical rules of the computer. For this, `run` calls the function given to `perceive` at most
+        """Makes the board watch up to `room` critical rules of the computer. `run` then calls the function given to `perceive`, at most
         every 5 ms. In these calls `wants` is true only for functors that a rule names. Call watch_rules before the first `run`."""
         from .rules import Rules  # not imported on boards that watch no rules
         self._rules = Rules(room)
@@ -245,7 +245,8 @@ class Board:
         self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
 
     def _send_as_fits(self, request, texts, write, words):
-        """Sends the answer that `write` makes of these texts. If they are too many for an answer, sends only the first and warns."""
+        """Sends the answer that `write` makes of these texts. If the texts are too many for an answer, sends only the first ones and
+        warns."""
         limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
         answer = write(texts)
         if len(answer) > limit:
@@ -305,8 +306,9 @@ class Board:
             return False
 
     def later(self):
-        """Call this in an action's function to report the outcome later, with `done`. Until then the board carries out no other action of
-        version 2, but answers requests. Returns the number for `done`, or 0 if nobody waits for an outcome, as in version 1."""
+        """Call this in an action's function to report the outcome later, with `done`. Until `done` is called, the board carries out no
+        other action of version 2, but answers requests. Returns the number for `done`, or 0 if nobody waits for an outcome, as in version
+        1."""
         if not self._in_hand:
             return 0
         self._tokens += 1
@@ -314,8 +316,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action whose function called `later`. Returns false if nobody waits for it: the number is 0, or the
-        computer has begun a new session."""
+        """Reports the outcome of an action whose function called `later`. Returns false if nobody waits for the outcome: the number is 0,
+        or the computer has begun a new session."""
         if not later or later != self._open:
             return False
         self._open = 0

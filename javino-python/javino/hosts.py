@@ -70,7 +70,7 @@ def _pyserial(name, baud):
 
 
 def _write_all(send, target, data):
-    """Writes all bytes by `send`, waiting for `target` when it takes none. Returns false and drops the rest if it takes none for a
+    """Writes all bytes by `send`, and waits for `target` when it takes none. Returns false and drops the rest if `target` takes none for a
     second."""
     end = time.monotonic() + _PATIENCE
     while data:
@@ -106,7 +106,7 @@ class Descriptor:
         return data
 
     def write(self, data):
-        """Writes all bytes. If the far end takes none for a second, the rest is lost."""
+        """Writes all bytes. If the far end takes no byte for a second, the rest is lost."""
         try:
             _write_all(lambda rest: os.write(self._out, rest), self._out, data)
         except OSError as e:

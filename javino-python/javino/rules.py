@@ -54,7 +54,8 @@ def _holds(condition, arguments, was_met):
 
 
 def is_met(rule, percept, was_met=False):
-    """Returns true if the percept has the rule's functor and meets all conditions of the rule, which was met at the last look or not."""
+    """Returns true if the percept has the rule's functor and meets all conditions of the rule. `was_met` tells whether the rule was met at
+    the last look."""
     if functor_of(percept) != rule[0]:
         return False
     arguments = split(percept)[1]
@@ -110,7 +111,7 @@ class Rules:
         self._seen = []
 
     def newly_met(self, percept):
-        """Returns (number, reflex) of each rule that begins to be met. The percept is the first to meet the rule in this look, and no
+        """Returns (number, reflex) of each rule that begins to be met. The percept is the first that meets the rule in this look, and no
         percept met the rule in the last look."""
         found = []
         for number, rule in self._rules:

@@ -7,7 +7,7 @@
 //             +!start <- argo.port(ttyACM0, [mode(listen)]); argo.percepts(open).
 //             +pressed(N) <- .print("pressed ", N, " times"); argo.act(ledOn).
 //
-// With mode(listen) the computer asks for nothing. Without it the agent asks too, and still perceives a press. A percept is lost if no
+// With mode(listen) the computer asks for nothing. Without it the agent asks too, and still perceives each press. A percept is lost if no
 // computer listens. To keep it, write it in look(), like the number of presses here.
 
 #include <Javino.h>

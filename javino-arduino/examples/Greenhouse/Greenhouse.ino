@@ -10,7 +10,7 @@
 //
 // The agent of the sample samples/greenhouse also airs, rests at night, switches nothing too often and obeys a person.
 //
-// The pump stops by itself after three minutes of silence from the computer: water is worse than thirst.
+// The pump stops by itself after three minutes of silence from the computer, since too much water is worse than too little.
 //
 // Wiring for an Uno:
 //   A0     an LM35: 10 mV a degree

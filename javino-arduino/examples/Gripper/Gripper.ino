@@ -8,12 +8,12 @@
 //             +!take <- argo.act(close); .print("I have it").
 //             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
-// Other actions wait for the outcome. So if another action must be able to stop this one, report this one as carried out when it begins.
+// Other actions wait for the outcome. So if another action must be able to stop this action, report this one as carried out when it begins.
 
 #include <Javino.h>
 
 const uint8_t MOTOR = 5;
-const uint8_t FINGERS = 7;  // high while something is between them
+const uint8_t FINGERS = 7;  // high while something is between the fingers
 const unsigned long CLOSING_MS = 800;
 
 Javino javino;

@@ -1,7 +1,7 @@
 // A motor that stops without its computer: after 300 ms without a valid message.
 //
 // Only run() notices the silence, so if loop() hangs, the motor goes on. A watchdog prevents that. On AVR #include <avr/wdt.h>, call
-// wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). A board that has hung for half a second then restarts, with its motors off.
+// wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). A board that has hung for half a second is restarted, its motors off.
 // (Boot loaders of some older Megas and Nanos do not survive that.)
 //
 //   actions   speed(0..255)

@@ -18,7 +18,7 @@ const unsigned long SILENCE_MS = 1000;
 Javino javino(Serial1);
 uint8_t power = 0;
 
-// Prints only text that has room at once: a slow or closed monitor does not hold the robot up.
+// Prints only text for which there is room at once, so a slow or closed monitor does not hold the robot up.
 void print(const char *what, long value) {
   if (Serial.availableForWrite() < 24)
     return;

@@ -1,5 +1,5 @@
-// An Uno has one serial port. Here it shows the events on the serial monitor. The agent's line is on two other pins, for a Bluetooth module
-// HC-05 or a Raspberry Pi.
+// An Uno has one serial port. This sketch shows the events on that port, in the serial monitor. The agent's line is on two other pins, for
+// a Bluetooth module HC-05 or a Raspberry Pi.
 //
 //   wiring    the far end's TX to pin 10, its RX to pin 11, GND to GND. A far end of 3.3 V takes no 5 V:
 //             two resistors divide pin 11's voltage

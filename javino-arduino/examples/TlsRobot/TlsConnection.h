@@ -67,7 +67,7 @@ class TlsConnection : public Stream {
 public:
   TlsConnection() : state_(CLOSED), at_(0), length_(0) {}
 
-  // Begins the handshake on a new connection, in place of the old one.
+  // Begins the handshake on a new connection, which replaces the old one.
   void accept(const WiFiClient &client, const TlsIdentity &identity) {
     close();
     client_ = client;
@@ -82,7 +82,7 @@ public:
     mbedtls_ssl_set_bio(&tls_, this, send, receive, NULL);
   }
 
-  // Goes on with the handshake. Returns true once, when the far end has proved its identity.
+  // Goes on with the handshake. Returns true once, at the moment when the far end has proved its identity.
   bool hasOpened() {
     if (state_ != SHAKING)
       return false;
@@ -124,7 +124,7 @@ public:
     while (state_ == OPEN && written < n) {
       int result = mbedtls_ssl_write(&tls_, bytes + written, n - written);
       if (result <= 0)
-        close();  // does not wait for a far end that takes nothing more
+        close();  // does not wait for a far end that takes no more bytes
       else
         written += static_cast<size_t>(result);
     }

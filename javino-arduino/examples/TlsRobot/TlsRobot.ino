@@ -8,9 +8,9 @@
 //             +!start <- argo.port("tls://192.168.1.20:4433"); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// A new connection replaces the connection in use when the new one has proved its identity; else the new one is refused. A stranger who
-// connects again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second
-// without a message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
+// When a new connection has proved its identity, it replaces the connection in use; otherwise it is refused. A stranger who connects again
+// and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second without a message
+// from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
 
 #include <JavinoNetwork.h>
 #include <WiFi.h>
@@ -27,7 +27,7 @@ const unsigned long RETRY_MS = 15000;
 
 WiFiServer server(PORT);
 TlsIdentity identity;
-TlsConnection connections[2];  // the one in use, and a new one that has to prove its identity
+TlsConnection connections[2];  // the connection in use, and a new one that has to prove its identity
 uint8_t inUse = 0;
 JavinoNetwork javino;
 uint8_t power = 0;

@@ -12,7 +12,7 @@
 
 #include <Javino.h>
 
-// On an ESP32 and an ESP8266, functions for an interrupt are kept in RAM.
+// On an ESP32 and an ESP8266, functions that an interrupt calls must be in RAM.
 #ifndef IRAM_ATTR
 #define IRAM_ATTR
 #endif
@@ -20,7 +20,7 @@
 const uint8_t TRIGGER = 7;
 const uint8_t ECHO_PIN = 2;
 const unsigned long PERIOD_MS = 60;  // the sound of a measurement dies away before the next one
-const unsigned long US_PER_METRE = 5830;  // there and back, in air of 20 degrees
+const unsigned long US_PER_METRE = 5830;  // factor for the way there and back, in air of 20 degrees
 const unsigned long MAX_CM = 400;
 
 Javino javino;

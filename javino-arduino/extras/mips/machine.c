@@ -49,7 +49,7 @@ static void receive(uint8_t port)
         machine_receive(port, UART(port, UART_DATA));
 }
 
-/* Late interrupts of the timer merge into one. The processor's own count tells how many milliseconds have passed. */
+/* Late interrupts of the timer merge into one. The processor's own count shows how many milliseconds have passed. */
 static void tick(void)
 {
     static uint32_t counted;
@@ -57,8 +57,8 @@ static void tick(void)
         machine_tick();
 }
 
-/* The processor has one place for interrupts and exceptions. The controller reports a byte only once; a byte that it missed is read with
- * the next interrupt. */
+/* The processor has one place for interrupts and exceptions. The controller reports a byte only once; if the program misses a byte, it
+ * reads the byte at the next interrupt. */
 __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted(void)
 {
     if (CAUSE() & EXCEPTION)
@@ -70,7 +70,7 @@ __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted
     receive(MACHINE_PANEL);
 }
 
-/* Interrupts go to these vectors as soon as the bit that selects the boot code's vectors is cleared. */
+/* Interrupts use these vectors as soon as the bit is cleared that selects the boot code's vectors. */
 __asm__(".section .vectors, \"ax\"\n"
         ".set noreorder\n"
         "vectors: .space 0x180\n"

@@ -117,7 +117,7 @@ void machine_start(void)
         UARTS[port]->receive_control = ON;
         UARTS[port]->interrupts_on = RX_INTERRUPT_ON;
     }
-    set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* read in two halves: at the start the upper half does not change */
+    set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* read in two halves: during the start the upper half does not change */
     __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's */
     __asm__ volatile("csrsi mstatus, 8");                        /* enables all interrupts */
 }

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "javino_board.h"
+#include "javino_rules.h"
 #include "stream.h"
 
 /* ---- Answers to records ---- */
@@ -52,25 +53,37 @@ static bool is(const char *text, uint8_t length, const char *other)
     return length == strlen(other) && memcmp(text, other, length) == 0;
 }
 
-/* The program: it knows whole texts. */
+/* The program: it knows whole texts. Returns false for others. */
+static bool carry_out(const char *text, uint8_t length)
+{
+    bool does = is(text, length, "front") || is(text, length, "left") || is(text, length, "grip") || is(text, length, "say") ||
+                (length > 6 && memcmp(text, "speed(", 6) == 0);
+    if (does)
+        note_carried(text, length);
+    return does;
+}
+
+static bool react(void *context, const char *text, uint8_t length)
+{
+    (void)context;
+    return carry_out(text, length);
+}
+
 static void act(void)
 {
     const char *text = board.link.text;
     uint8_t length = board.link.length;
-    bool does = is(text, length, "front") || is(text, length, "left") || is(text, length, "grip") || is(text, length, "say") ||
-                (length > 6 && memcmp(text, "speed(", 6) == 0);
-    if (!does) {
-        javino_link_finish(&board.link, false);
-        return;
-    }
-    note_carried(text, length);
-    if (is(text, length, "grip"))
+    bool done = carry_out(text, length);
+    if (done && is(text, length, "grip"))
         later = javino_link_later(&board.link);
+    else
+        javino_link_finish(&board.link, done);
 }
 
-static void answer(void)
+static void perceive(void *context)
 {
     const char *p;
+    (void)context;
     for (p = percepts; p < percepts + percepts_length; p += strlen(p) + 1) {
         size_t functor = strcspn(p, "(");
         if (javino_board_wants(&board, p, (uint8_t)functor)) {
@@ -78,6 +91,11 @@ static void answer(void)
             javino_percept_end(&board);
         }
     }
+}
+
+static void answer(void)
+{
+    perceive(NULL);
     javino_board_answer(&board);
 }
 
@@ -85,10 +103,10 @@ static void poll(void)
 {
     javino_event event;
     uint8_t quiet = 0;
-    /* A poll handles only some frames, and then hands nothing out. */
+    /* A poll handles only some frames, or sends one part of an answer, and then hands nothing out. */
     while (quiet < 3) {
         event = javino_board_poll(&board, now);
-        quiet = event == JAVINO_NOTHING ? quiet + 1 : 0;
+        quiet = event == JAVINO_NOTHING && !board.answering ? quiet + 1 : 0;
         if (event == JAVINO_REQUEST)
             answer();
         else if (event == JAVINO_ACTION)
@@ -108,9 +126,10 @@ static void receive(const uint8_t *bytes, uint16_t length)
     }
 }
 
-static void begin(void)
+static void begin(uint8_t rules_size)
 {
-    if (!javino_board_init(&board, memory, sizeof memory, write_byte, NULL))
+    if (!javino_board_init(&board, memory, sizeof memory, write_byte, NULL) ||
+        (rules_size && !javino_rules_init(&board, rules_size, react, NULL)))
         stream_end();
     board.link.actions = actions;
     board.link.action_size = sizeof *actions;
@@ -204,10 +223,11 @@ static void take_record(void)
 {
     now = record.now;
     switch (record.what) {
-    case 'n': begin(); break;
+    case 'n': begin(record.flag); break;
     case 'b': receive(bytes, record.length); break;
     case 'p': set_percepts(bytes, record.length); break;
     case 'u': answer(); break;
+    case 'l': javino_rules_look(&board, perceive, now); break;
     case 'd': javino_link_done(&board.link, later, record.flag); break;
     case 'c': checksum(bytes, record.length); break;
     case 'e': encode(1, 0, bytes, record.length); break;

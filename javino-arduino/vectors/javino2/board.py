@@ -7,7 +7,7 @@ DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
 MAX_CRITICAL_PERCEPT = 253
-KINDS = b"(?)"  # in place of functors; asks for the kinds of percepts
+KINDS = b"(?)"  # stands in place of a list of functors, and asks for the kinds of percepts
 REVISION = 1
 
 

@@ -15,7 +15,7 @@ _NUMBER = re.compile(rb"[+-]?[0-9]+(\.[0-9]+)?\Z")
 class Condition(NamedTuple):
     place: int
     operator: bytes
-    values: tuple  # two: the second one counts while the rule is met
+    values: tuple  # if there are two values, the second one counts while the rule is met
 
 
 class Rule(NamedTuple):

@@ -77,7 +77,7 @@ class Session:
         return [self.window.repetition()] if self.window.out and (news.again or without_news) else []
 
     def _welcomed(self, frame):
-        """Takes a WELCOME. Returns true if it opens the session or changes nothing; false if it ends the session."""
+        """Takes a WELCOME. Returns true if the WELCOME opens the session or changes nothing; false if it ends the session."""
         nonce, revision = frame.payload[:1], (frame.payload[4:5] or b"\0")[0]
         is_own = nonce == bytes([self.nonce])
         if is_own == self.open:
@@ -88,7 +88,7 @@ class Session:
         if is_own and not frame.number and not frame.kind & FLAGS:
             self._open(frame.payload)
             return True
-        # The board was restarted, or a session of another computer had the same nonce by chance.
+        # The board was restarted, or a session of another computer happened to have the same nonce.
         self._close()
         return False
 

@@ -6,7 +6,7 @@ MAX_NAME = 250
 
 
 def numbered(actions):
-    """Returns the actions that get a number. A board leaves out the other actions, and tells how many they are."""
+    """Returns the actions that get a number. A board leaves out the other actions, and reports their number."""
     return [action for action in actions if len(action[0]) <= MAX_NAME][:MAX_ACTIONS]
 
 

@@ -16,7 +16,7 @@ class Out(NamedTuple):
 
 class News(NamedTuple):
     outcomes: list = []  # (command, outcome), in order
-    again: bool = False  # the commands that are out have to be sent again at once
+    again: bool = False  # the commands that are out must be sent again at once
     accepted: bool = False  # the window has taken the frame's number and flags
 
 

@@ -1,9 +1,10 @@
-"""Makes the Python modules of the ROS 1 package argo_msgs, as catkin does.
+"""Makes the Python modules of a ROS 1 package, as catkin does: those of its messages, services and actions, and its own.
 
     messages.py PACKAGE_FOLDER OUTPUT_FOLDER
 """
 
 import pathlib
+import shutil
 import sys
 
 import actionlib_msgs.msg
@@ -11,11 +12,11 @@ import std_msgs.msg
 from genpy.generator import MsgGenerator, SrvGenerator
 from genpy.generate_initpy import write_modules
 
-NAME = "argo_msgs"
 STAMPED = "std_msgs/Header header\nactionlib_msgs/%s\n"
 
 source, output = map(pathlib.Path, sys.argv[1:])
-texts, package = output / "texts", output / NAME
+NAME = source.name
+texts, package = output / "texts" / NAME, output / NAME
 
 
 def text_of(folder, name, text):
@@ -29,7 +30,7 @@ for kind in (std_msgs.msg.Header, actionlib_msgs.msg.GoalID, actionlib_msgs.msg.
     package_name, name = kind._type.split("/")
     text_of(package_name, name, kind._full_text.split("=" * 80)[0])
 
-messages = []
+messages = [text_of(NAME, file.stem, file.read_text()) for file in (source / "msg").glob("*.msg")]
 for action in (source / "action").glob("*.action"):
     name = action.stem
     parts = dict(zip(("Goal", "Result", "Feedback"), action.read_text().split("---")))
@@ -41,8 +42,11 @@ for action in (source / "action").glob("*.action"):
     messages += [text_of(NAME, name + part, text) for part, text in parts.items()]
 
 search = {folder.name: [str(folder)] for folder in texts.iterdir()}
-package.mkdir(parents=True)
-(package / "__init__.py").write_text("")
+if (source / "src" / NAME).is_dir():
+    shutil.copytree(source / "src" / NAME, package)
+else:
+    package.mkdir()
+    (package / "__init__.py").write_text("")
 for generator, files, folder in (
         (MsgGenerator(), messages, "msg"), (SrvGenerator(), [str(file) for file in (source / "srv").glob("*.srv")], "srv")):
     (package / folder).mkdir()

@@ -39,9 +39,9 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. The architecture has these options.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. These are the architecture's options.
  * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
- * `argo_percepts=4096` is the most percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
+ * `argo_percepts=4096` limits the percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
  * before the agent stands, see [argo.observing.Pausing]. `argo_resume="robot.state"` is the file with the state from which the agent goes
  * on. Other options belong to observers, such as `argo_view=8080` to the live view.
  *
@@ -79,11 +79,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal val commands by lazy { CommandRouter(boards) }
     internal val awaited = AwaitedWork()
 
-    /** Takes the orders of a person to the agent. Available from [init] on. */
+    /** Takes a person's orders to the agent. Available from [init] on. */
     internal lateinit var hand: Hand
         private set
 
-    /** What observers have the agent do, in its next cycle or while it stands. Available from [init] on. */
+    /** Orders of observers, which the agent carries out in its next cycle or while it stands. Available from [init] on. */
     internal lateinit var requests: CompletionInbox<() -> Unit>
         private set
 
@@ -97,7 +97,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** The agent's pauses. Available from [init] on. */
     internal lateinit var pausing: AgentPausing
         private set
-    private var isBeginning = false // for the agent's thread, as the next
+    private var isBeginning = false // for the agent's thread, like the next property
     private var hasBegunCycle = false
 
     /** The boundary through which all inputs reach the agent. Any thread may ask. */
@@ -154,7 +154,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun doRequests() = requests.takeAll().forEach { it() }
 
-    /** Returns true if Jason may take no event: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
+    /** Returns true if Jason may take no event: an atomic plan holds all events back, or `events=requeue` puts some back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
@@ -186,8 +186,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Has an agent that stands do what it was asked for meanwhile, on its thread. Orders and requests begin its next cycle. If it stands within
-     * a cycle, orders wait.
+     * Carries out, on the thread of an agent that stands, the requests that have come meanwhile. Orders and requests begin the agent's next
+     * cycle. If the agent stands within a cycle, orders wait.
      */
     private fun takeOrders() {
         if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
@@ -256,8 +256,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first, and
-     * some architectures cannot be stopped twice.
+     * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first
+     * architecture, and some architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 

@@ -12,9 +12,9 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.logging.Logger
 
 /**
- * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`.
- * A property of the program, `-Dargo_watch=true`, is an option of each agent whose [settings] do not have it; it is added to them. Reports
- * unknown options and values to [log] and ignores them.
+ * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`. A
+ * property of the program, `-Dargo_watch=true`, is added to the [settings] of each agent that does not have this option. Reports unknown
+ * options and values to [log] and ignores them.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger) {
     private val ofProgram: Set<String> = addProperties()

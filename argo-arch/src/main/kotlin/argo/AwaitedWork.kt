@@ -2,11 +2,11 @@ package argo
 
 import java.util.concurrent.ConcurrentHashMap
 
-/** The work outside of an agent that its suspended intentions wait for, and that can be given up. Safe for use by several threads. */
+/** The work outside of an agent that its suspended intentions wait for, if the work can be given up. Safe for use by several threads. */
 internal class AwaitedWork {
     private val begun = ConcurrentHashMap<String, () -> Unit>()
 
-    /** Adds work that the intention suspended under [key] waits for, and that [giveUp] ends early. */
+    /** Adds work that the intention suspended under [key] waits for; [giveUp] ends the work early. */
     fun begin(key: String, giveUp: () -> Unit) {
         begun[key] = giveUp
     }
@@ -15,6 +15,6 @@ internal class AwaitedWork {
         begun -= key
     }
 
-    /** Gives the work up whose intentions are not suspended under [keys] any more: the agent has dropped them. */
+    /** Gives up the work of intentions that are no longer suspended under [keys]: the agent has dropped them. */
     fun giveUpDropped(keys: Set<String>) = begun.keys.filter { it !in keys }.forEach { begun.remove(it)?.invoke() }
 }

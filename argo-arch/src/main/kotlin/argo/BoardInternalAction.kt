@@ -23,7 +23,7 @@ import jason.asSyntax.Term
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
-    /** Returns true if the action suspends its intention until the action has ended: see [Call.suspendIntention]. */
+    /** Returns true if the action suspends its intention until the work has ended: see [Call.suspendIntention]. */
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
@@ -82,10 +82,10 @@ abstract class BoardInternalAction internal constructor(private val name: String
         private fun end(key: String, failure: CommandFailure?) =
             resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
 
-        /** Unifies [awaited] with [answer] in the intention; returns the reason if that cannot be. */
+        /** Unifies [awaited] with [answer] in the intention; returns the reason if they do not unify. */
         private fun differing(key: String, awaited: Term, answer: String?): Failure? {
             if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
-            val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped it
+            val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped the intention
             val term = try {
                 termOf(answer)
             } catch (unreadable: PerceptSyntaxException) {

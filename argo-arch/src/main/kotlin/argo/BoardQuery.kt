@@ -41,7 +41,7 @@ abstract class BoardQuery internal constructor(private val name: String, private
         /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; a call in a context has its own unifier. */
+        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; a call in a context has its own. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

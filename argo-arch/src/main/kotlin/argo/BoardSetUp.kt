@@ -13,7 +13,7 @@ import jason.asSyntax.Literal
 /**
  * Writes how an agent uses its boards as calls of internal actions, and sets its boards up by such calls.
  *
- * @param told gets what cannot be set up as it was
+ * @param told takes the reasons why something cannot be set up as it was
  */
 internal class BoardSetUp(private val arch: Arch, private val platform: Platform, private val told: (String) -> Unit) {
     private val boards get() = arch.boards
@@ -22,8 +22,8 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
     private var awaited: List<String>? = null // calls that are carried out when all ports are open; null: they have been
 
     /**
-     * Returns the calls that set the boards up as they are, or will be when all ports are open, without the prefix `argo.`. Called by the
-     * agent's thread.
+     * Returns the calls, without the prefix `argo.`, that set the boards up as they are, or as they will be when all ports are open. Called
+     * by the agent's thread.
      */
     fun calls(): List<String> = awaited?.let { it + ofAgent() } ?: (listOfNotNull(portsInUse()) + ofAgent() + ofBoards())
 
@@ -46,8 +46,8 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
     private fun nameOf(filter: PerceptionFilter?) = filter?.let { "${GroundTerm.Text(it.name)}" } ?: "none"
 
     /**
-     * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open: a port that is not is tried again each
-     * second. If the agent chooses its ports itself meanwhile, [done] is called, too.
+     * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open. A port that cannot be opened is tried again
+     * each second. [done] is also called if the agent chooses its ports itself meanwhile.
      */
     fun restore(calls: List<String>, done: () -> Unit) {
         val read = calls.associateWith(PerceptReader::read)
@@ -82,7 +82,7 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
         }
     }
 
-    /** Sets boards up in the agent's next cycle, so that a recording of it has the filters. */
+    /** Sets boards up in the agent's next cycle, so the agent's recording contains the filters. */
     private fun later(setUp: () -> Unit) = arch.ts.runAtBeginOfNextCycle { setUp() }
 
     /** Carries [call] out as if a plan made it. */

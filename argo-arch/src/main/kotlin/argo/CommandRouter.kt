@@ -22,8 +22,8 @@ import jason.bb.BeliefBase
  * Finds the board for a command of the agent among [boards], and sends the command there. Belongs to the agent's thread.
  *
  * A command may name its board by a namespace, or by a port in its options. Any other command goes to the board of its plan's module,
- * unless that board's description lacks the command. Else it goes to the only board whose description has the command. If no description
- * has the command, it goes to the board on the port in use.
+ * unless this board's description lacks the command. Such a command goes to the only board whose description has the command. If no
+ * description has the command, it goes to the board on the port in use.
  */
 internal class CommandRouter(private val boards: AgentBoards) {
     private sealed interface Route {
@@ -32,8 +32,8 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 
     /**
-     * Sends [command], a literal or a string. The snapshots of one board wait for the command: those of the board whose percept caused it,
-     * else those of the board that gets it.
+     * Sends [command], a literal or a string. The snapshots of one board wait for the command. This is the board whose percept caused the
+     * command, or else the board that gets it.
      *
      * @param module the namespace of the command's module; null: it is in no module
      * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before

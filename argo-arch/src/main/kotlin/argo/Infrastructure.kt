@@ -7,7 +7,7 @@ import java.util.Collections
 import java.util.WeakHashMap
 import java.util.logging.Logger
 
-/** Tells people about the infrastructure that a project asks for and does not get: Jason says nothing then. */
+/** Tells people that a project does not get the infrastructure that it asks for: Jason says nothing then. */
 internal object Infrastructure {
     /** The option by which an agent asks for percepts about its fleet; the fleet's infrastructure reads it. */
     const val FLEET_OPTION = "argo_fleet"
@@ -25,7 +25,7 @@ internal object Infrastructure {
         log.severe("infrastructure: $wanted has no effect: Jason's launcher for one computer runs all agents of the project here$remedy")
     }
 
-    /** Tells [log] that an agent whose infrastructure is [last] has the option [value] of fleets, and is in none. */
+    /** Tells [log] that an agent has the option [value] of fleets, but is in no fleet, since its infrastructure is [last]. */
     fun checkFleetOption(value: String?, last: AgArch, log: Logger) {
         if (value == null || last.javaClass.name.startsWith(OF_FLEET)) return
         log.warning("$FLEET_OPTION=$value has no effect: the agent runs in no fleet, which argo-fleet.jar starts")

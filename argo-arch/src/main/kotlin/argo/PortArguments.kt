@@ -23,7 +23,7 @@ internal fun portName(term: Term): String {
     return name
 }
 
-/** Returns the term for the port in the agent's beliefs: [written] or, if that is a variable, [name] as a string. */
+/** Returns the term for the port in the agent's beliefs: [written] or, if [written] is a variable, [name] as a string. */
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
 
 /**

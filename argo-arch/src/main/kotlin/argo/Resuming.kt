@@ -19,6 +19,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArchAsynchronous
 import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -28,8 +29,8 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * Keeps the state of the agent of [arch] in [file], and has the agent go on from the state that its last run has left there: the option
- * `argo_resume`. The agent's thread makes a state between two cycles.
+ * Keeps the state of the agent of [arch] in [file], for the option `argo_resume`. The agent goes on from the state that its last run has
+ * left there. The agent's thread makes a state between two cycles.
  *
  * @param wallMs ms since 1970
  */
@@ -50,9 +51,9 @@ internal class Resuming(
     private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // the first state is kept at once
 
     @Volatile
-    private var isResumed = false // until then the file is what the last run has left
+    private var isResumed = false // while false, the file holds the state of the last run
 
-    private val ending = ReentrantLock() // held while another thread than the agent's makes the last state
+    private val ending = ReentrantLock() // held while a thread other than the agent's makes the last state
 
     @Volatile
     private var isInCycle = false
@@ -65,10 +66,10 @@ internal class Resuming(
         arch.pausing.follow { if (it.phase == PausePhase.STANDING) keepWhile(it) }
     }
 
-    /** Returns what the program begins with. The events of its beliefs are not among it. */
+    /** Returns what the program begins with. The events of these beliefs are not included. */
     private fun beginning(): Mind = Mind.of(arch.ts, ::write) {}.run { copy(events = events.filter { it.startsWith("!") }) }
 
-    /** Has the agent, which has not begun, go on from the state in the file, if there is one. */
+    /** Lets the agent, which has not begun, go on from the state in the file, if there is one. */
     fun begin(order: (Order, (Outcome) -> Unit) -> Unit) {
         val state = read()
         isResumed = state == null
@@ -98,6 +99,8 @@ internal class Resuming(
             return file.read()?.let { State.of(name, it) }
         } catch (broken: UnreadableStateException) {
             broken.message
+        } catch (_: CharacterCodingException) {
+            "it is no text in UTF-8"
         } catch (unreadable: IOException) {
             "$unreadable"
         }
@@ -110,7 +113,7 @@ internal class Resuming(
         return null
     }
 
-    /** Returns the text of [literal]; throws [IllegalArgumentException] if that is not read back to the same literal. */
+    /** Returns the text of [literal]; throws [IllegalArgumentException] if the text would be read back as another literal. */
     private fun write(literal: Literal): String {
         val text = perceptText(literal)
         if (text in readable) return text
@@ -139,10 +142,10 @@ internal class Resuming(
         if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
     }
 
-    /** Has the agent's thread make the state if the agent stands between two cycles; returns false if it does not. */
+    /** If the agent stands between two cycles, lets its thread make the state; returns false if it does not stand. */
     private fun keepStanding(): Boolean = !platform.standsStill && arch.pausing.look(::keep)
 
-    /** Makes the agent's state, and has it written; nothing may change the agent meanwhile. */
+    /** Makes the agent's state and hands it to the writer; nothing may change the agent meanwhile. */
     private fun keep() {
         if (isLastMade) return
         madeNanos = platform.clock.nanos()
@@ -161,7 +164,7 @@ internal class Resuming(
         )
     }
 
-    /** Has the last state kept: after the present cycle, or now; by its own thread if the agent stands. */
+    /** Keeps the last state: after the present cycle, or at once; if the agent stands, its own thread makes the state. */
     override fun close() {
         ending.withLock {
             if (isStopped) return
@@ -179,8 +182,8 @@ internal class Resuming(
         private const val RESUMED = "resumed("
 
         /**
-         * Takes the file that the option's [value] names for the agent of [arch]; null: it cannot have it. [log] has the reason, and the
-         * agent runs without it.
+         * Takes the file named by the option's [value] for the agent of [arch]; null: the agent cannot have the file. [log] then has the
+         * reason, and the agent runs without the file.
          */
         fun open(arch: Arch, value: String, platform: Platform, log: Logger): Resuming? {
             fun refuse(why: String) =

@@ -9,26 +9,28 @@ import jason.asSyntax.Term
  * quotes. A board reads `getPercepts`, with or without arguments, as the request for percepts, so it is no command.
  *
  * If the agent perceives several boards, `argo.act(left::stop)` sends `stop` to the board in the namespace `left`, and
- * `argo.act(stop, [port(P)])` to the board on P. `argo.act(stop)` goes to the board of the plan's module, unless that board's description
- * lacks `stop`. Else it goes to the only board whose description has `stop`. If no description has `stop`, it goes to the board on the port
- * in use.
+ * `argo.act(stop, [port(P)])` to the board on P. `argo.act(stop)` goes to the board of the plan's module, unless this board's description
+ * lacks `stop`. If it does, or if the plan has no module, the command goes to the only board whose description has `stop`. If no
+ * description has `stop`, it goes to the board on the port in use.
  *
  * The intention, not the agent, is suspended until the last byte has left the line. With a board of version 2 of the protocol, it is
  * suspended until the board has acknowledged the action. Commands are sent in order.
  *
  * `argo.act(W, Options)` takes a list of
  * - `port(P)`: the command goes to the board on P, an open port of the agent, perceived or not
- * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. If the command has not begun to go out by then, it is
- *   withdrawn, never sent, and fails with `error(act_timeout)`. If it has begun, it fails with `error(act_unconfirmed)`: the board may
- *   carry it out
+ * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. If the command has not begun to go out when this time
+ *   is over, it is withdrawn, never sent, and fails with `error(act_timeout)`. If the command has begun, it fails with
+ *   `error(act_unconfirmed)`: the board may carry it out
  * - `urgent`: the command overtakes waiting ones that are not urgent. An urgent command never interrupts a command on the line; with a
  *   board of version 2 it also waits for that command's outcome
  * - `latest`: the command replaces all commands of its functor that have not begun to go out, whatever their arguments. Replaced commands
- *   are never sent and fail with `error(act_replaced)`; the new one takes the place of the first. So `argo.act(speed(V), [latest])` sends
- *   the newest speed when the line is free, however often it is called. With `urgent` it waits among the urgent commands
- * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, as its mapping has it
+ *   are never sent and fail with `error(act_replaced)`; the new command takes the place of the first of them. So
+ *   `argo.act(speed(V), [latest])` sends the newest speed when the line is free, however often it is called. With `urgent` the new command
+ *   waits among the urgent commands
+ * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, in the form that the robot's mapping gives
+ *   it
  *
- * If the agent drops the intention while a robot carries the goal of an action out, the goal is cancelled.
+ * If the agent drops the intention while the robot still carries out an action, the action's goal is cancelled.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` if no port is in use, `error(unknown_board)` if no board has the namespace
  * or the port, `error(ambiguous_action)` if the descriptions of several boards have the action, `error(port_gone)`, `error(port_timeout)`,

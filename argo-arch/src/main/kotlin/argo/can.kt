@@ -19,9 +19,9 @@ import javino.wire.BoardAction.ANY
  * `.findall(left::A, argo.can(left::A), All)` for one namespace. An action with any number of arguments appears without arguments.
  *
  * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. The description may be unknown: in
- * version 1, for a sketch without a table of actions, without a port in use, or before the answer. Then `argo.can` is false in a context;
- * as a step of a plan it fails the plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or
- * `error(not_argo)`.
+ * version 1, for a sketch without a table of actions, without a port in use, or before the board has answered. In these cases `argo.can` is
+ * false in a context; as a step of a plan it fails the plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)`
+ * or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class can : BoardQuery("argo.can", 1) {

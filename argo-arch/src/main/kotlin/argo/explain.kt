@@ -6,7 +6,7 @@ import jason.asSyntax.Literal
 
 /**
  * The internal action `argo.explain(Percept, Why)`: unifies Why with a text: whether the active filter drops Percept, and by which rule.
- * The filter is that of the board in whose namespace Percept is. The action may be used in the context of a plan, and by agents without
+ * The filter is that of the board in the namespace of Percept. The action may be used in the context of a plan, and by agents without
  * [Arch].
  *
  * Fails the plan with `error(wrong_arguments)`.

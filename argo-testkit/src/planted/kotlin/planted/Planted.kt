@@ -25,7 +25,7 @@ import kotlin.io.path.writeText
  * that end in `//-` are the fault. Lines behind `//+` replace them in the mended agent.
  *
  * @property rule the name of the rule that the fault breaks
- * @property describe the board and the rules, which do not depend on the fault
+ * @property describe describes the board and the rules, which do not depend on the fault
  */
 class Planted(val name: String, val rule: String, val describe: Exploration.() -> Unit) {
     /** Writes the agent into [folder], with its fault or mended, and returns its file. */

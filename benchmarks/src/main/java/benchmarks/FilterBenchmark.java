@@ -49,9 +49,10 @@ public class FilterBenchmark {
     private final FilterSession<String> filtered = session(NOT_BACK);
     private final FilterSession<String> smoothed = session(smoothing("median=\"5\"") + NOT_BACK);
     private final FilterSession<String> withoutOutliers = session(smoothing("outliers=\"3\"") + NOT_BACK);
-    private final FilterSession<String> until = session(
-            NOT_BACK
-                    + "<filter><predicate>dist</predicate><parameter id=\"1\" operator=\"GT\" until=\"300\">400</parameter></filter>");
+    private final FilterSession<String> smoothedTwice = session(smoothing("outliers=\"3\" median=\"3\"") + NOT_BACK);
+    private final FilterSession<String> limit = session(NOT_BACK + beyond("400", ""));
+    private final FilterSession<String> until = session(NOT_BACK + beyond("400", "until=\"300\""));
+    private final FilterSession<String> untilMet = session(NOT_BACK + beyond("106", "until=\"101\""));
     private final List<List<String>> messages = messages();
     private int next;
     private String temp = "temp(r,36)";
@@ -77,6 +78,11 @@ public class FilterBenchmark {
 
     private static String smoothing(String how) {
         return "<smooth><predicate>dist</predicate><parameter id=\"1\" " + how + "/></smooth>";
+    }
+
+    private static String beyond(String limit, String until) {
+        return "<filter><predicate>dist</predicate><parameter id=\"1\" operator=\"GT\" " + until + ">" + limit
+                + "</parameter></filter>";
     }
 
     /** Messages of several sensors, whose numbers move and sometimes are far off. */
@@ -111,8 +117,24 @@ public class FilterBenchmark {
     }
 
     @Benchmark
+    public int perceiveSmoothedTwice() {
+        return perceive(smoothedTwice);
+    }
+
+    @Benchmark
+    public int perceiveLimit() {
+        return perceive(limit);
+    }
+
+    @Benchmark
     public int perceiveUntil() {
         return perceive(until);
+    }
+
+    /** Most sensors' numbers are between the two limits, and often cross them. */
+    @Benchmark
+    public int perceiveUntilMet() {
+        return perceive(untilMet);
     }
 
     @Benchmark

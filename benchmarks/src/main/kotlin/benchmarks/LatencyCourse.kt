@@ -35,7 +35,7 @@ internal enum class LatencyCourse(val title: String) {
         }
     }, ;
 
-    /** Has the program answer at [port] while [measure] runs. Returns the result of [measure]. */
+    /** Lets the program answer at [port] while [measure] runs. Returns the result of [measure]. */
     protected abstract fun run(port: String, measure: () -> LongArray): LongArray
 
     /** Returns the latencies, in ns, in their order. */

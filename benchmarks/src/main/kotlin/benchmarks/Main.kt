@@ -9,14 +9,16 @@ import benchmarks.boards.hostBoards
 import benchmarks.boards.manyBoards
 import benchmarks.boards.stopThree
 import benchmarks.fleet.fleet
+import benchmarks.ros.REACTING_AGENT
+import benchmarks.ros.reactingAgent
 import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * The benchmarks. Each prints its figures. Each takes a file for all results, which some do not write, and further arguments. Each returns
- * false if its figures break their bounds.
+ * The benchmarks. Each prints its figures. Each takes a file for all its results, which some do not write, and further arguments. Each
+ * returns false if its figures break their bounds.
  */
 private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = mapOf(
     "latency" to { _, _ -> latency() },
@@ -28,7 +30,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "faults" to { _, _ -> faults() },
     "soak" to { _, _ -> soak() },
     "tls" to { _, _ -> tls() },
-    "ros" to { _, _ -> ros() },
+    "ros" to { _, more -> ros(more.firstOrNull()) },
     "explore" to { _, more -> explored(more.firstOrNull()) },
     "record" to { _, _ -> recorded() },
     "reload" to { _, _ -> reloaded() },
@@ -56,6 +58,7 @@ fun main(args: Array<String>) {
         }
         in APART -> println(APART.getValue(name)(rest).joinToString(" "))
         BOARD_HOST -> hostBoards(rest)
+        REACTING_AGENT -> reactingAgent(rest.single().toInt())
         else -> {
             System.err.println(
                 "usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet",

@@ -43,11 +43,13 @@ private fun printRatios(score: Map<String, Double>) {
     ratio("filtering after parsing, times filtering before it", "dropAfterJasonsParser", "dropByArgument")
     ratio("1000 rules, times 10 rules", "dropByOneOf1000Rules", "dropByOneOf10Rules")
     ratio("a message whose percepts are smoothed, times one that is only filtered", "perceiveSmoothed", "perceive")
-    fun more(words: String, of: String) =
-        println(figures("%-72s %8.1f ns", "$words, more for each percept", (score.getValue(of) - score.getValue("perceive")) / MESSAGE))
+    fun more(words: String, of: String, than: String = "perceive") =
+        println(figures("%-72s %8.1f ns", "$words, more for each percept", (score.getValue(of) - score.getValue(than)) / MESSAGE))
     more("smoothed by a median of 5", "perceiveSmoothed")
     more("outliers left out", "perceiveWithoutOutliers")
-    more("a second limit", "perceiveUntil")
+    more("outliers left out, and smoothed by a median of 3", "perceiveSmoothedTwice")
+    more("a second limit, while no sensor meets it", "perceiveUntil", "perceiveLimit")
+    more("a second limit that most sensors meet", "perceiveUntilMet", "perceiveLimit")
     for (n in listOf(12, 120, 1200)) ratio(
         "a cycle with $n percepts and no filter, times with one that keeps one", "cycle(none,$n)", "cycle(one,$n)",
     )

@@ -16,9 +16,10 @@ internal const val REPLAY = "replay-recordings"
 
 /**
  * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
- * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The latter
- * counts, since a recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle
- * waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
+ * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The figure
+ * for a message is the one that counts, since a recorded agent has other cycles. Prints the processor time of the thread that writes the
+ * recording, for which no cycle waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are
+ * within their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
@@ -43,7 +44,10 @@ internal fun recorded(): Boolean {
     return cost * 100 <= MOST_COST && megabytes <= MOST_MEGABYTES && pace >= LEAST_PACE
 }
 
-/** Returns how many times faster than real time a new Java machine replays [file], its start included. Starts it like the tool `replay`. */
+/**
+ * Returns how many times faster than real time a new Java machine replays [file], its start included. The replay is started like the tool
+ * `replay`.
+ */
 private fun paceApart(file: Path): Double {
     val begin = System.nanoTime()
     figuresApart(REPLAY, "$file", options = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
@@ -52,7 +56,7 @@ private fun paceApart(file: Path): Double {
     return (times.last() - times.first()).toDouble() / elapsedNs
 }
 
-/** Replays [files] in turn. Returns how many times faster than real time each was. */
+/** Replays [files] in turn. Returns how many times faster than real time each replay was. */
 internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of(it)) }
 
 private fun pace(file: Path): Double {

@@ -30,7 +30,7 @@ private fun measured(what: String, changed: Int): Boolean = withAgents(mapOf(BOA
     val first = reload(arch, file, programOf(1, changed))
     arch.begin()
     val times = (2 until RELOADS + 2).map { version ->
-        Thread.sleep(PAUSE_MS + version % INTERVAL_MS.toLong()) // so that reloads come at different instants between two messages
+        Thread.sleep(PAUSE_MS + version % INTERVAL_MS.toLong()) // so reloads come at different instants between two messages
         reload(arch, file, programOf(version, changed))
     }.sorted()
     val seen = arch.end()
@@ -44,7 +44,7 @@ private fun measured(what: String, changed: Int): Boolean = withAgents(mapOf(BOA
     times.last() <= MOST_MS && seen.lost == 0 && seen.longestMs <= 2 * INTERVAL_MS
 }
 
-/** Has the agent of [arch] reload [program]. Returns the time in ms. */
+/** Makes the agent of [arch] reload [program]. Returns the time in ms. */
 private fun reload(arch: Arch, file: Path, program: String): Double {
     file.writeText(program)
     val done = CompletableFuture<Outcome>()

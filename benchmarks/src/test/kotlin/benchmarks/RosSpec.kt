@@ -6,11 +6,11 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.time.Duration.Companion.minutes
 
-/** The run of `./argo bench ros`, for two seconds at one rate instead of a minute at three. */
+/** The run of `./argo bench ros`, for two seconds at one rate instead of a minute at three, and without roslibpy. */
 @Tags("Thorough")
 class RosSpec : FunSpec({
     test("an agent behind a bridge that is restarted ten times acts on, once for each command, and leaves nothing behind")
         .config(timeout = 5.minutes, blockingTest = true) {
-            ros(seconds = 2, rates = listOf(200)) shouldBe true
+            ros(python = null, seconds = 2, rates = listOf(200)) shouldBe true
         }
 })

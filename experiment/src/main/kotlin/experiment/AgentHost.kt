@@ -15,7 +15,7 @@ import jason.runtime.Settings as AgentSettings
 /**
  * An agent that is about to be created.
  *
- * @property program the file of its program in the folder `agent`
+ * @property program the file with the agent's program, in the folder `agent`
  * @property isArgo whether it is an ARGO agent, with the [options] of its `.mas2j`, or a common one
  * @property beliefs its initial beliefs besides those of its program
  * @property plans further plans, which come behind those of its program

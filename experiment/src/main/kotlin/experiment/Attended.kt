@@ -18,7 +18,7 @@ internal const val MAX_SEED = 1_000_000
 
 /**
  * Does [work] with a line of progress, which `show` writes, and with the log of Jason, ARGO and the agents in `log.txt` of [directory].
- * Ctrl-C has the experiment [given] up.
+ * Ctrl-C makes the experiment [given] up.
  */
 internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<String>) -> Unit, punctuality: Punctuality) -> T): T {
     val progress = Progress.onStandardOutput()
@@ -35,7 +35,7 @@ internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<St
     }
 }
 
-/** Describes this machine for a report, after the number of runs at once in words. */
+/** Describes this machine for a report; the number of runs at once comes first, in words. */
 internal fun machine(atOnce: String): String =
     listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
         .let { "$atOnce on ${Runtime.getRuntime().availableProcessors()} processors, $it." }

@@ -36,8 +36,8 @@ internal object Calibration {
     }
 
     /**
-     * Measures the events a second of this computer in 1.5 s. Takes the best of some rounds, since other programs only slow it down.
-     * [nanoTime] is the time that the calling thread has worked, in ns, without the time of other threads.
+     * Measures the events a second of this computer in 1.5 s. Takes the best of some rounds, since other programs can only slow this one
+     * down. [nanoTime] is the time that the calling thread has worked, in ns; the time of other threads does not count.
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()

@@ -17,7 +17,7 @@ internal class Campaign(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * The progress: [done] of [all] runs are over, [collisions] of them at the wall. The others will take about [left] ms; 0: all have
+     * The progress: [done] of [all] runs are over, [collisions] of them at the wall. The other runs will take about [left] ms; 0: all have
      * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects further repetitions.
      */
     internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {

@@ -5,7 +5,7 @@ import java.util.concurrent.Executors
 import java.util.concurrent.Future
 
 /**
- * Has [jobs] threads do [work], and returns when all have ended. If [work] fails in one of them, the experiment is given up, so that the
+ * Makes [jobs] threads do [work], and returns when all have ended. If [work] fails in one of them, the experiment is given up, so that the
  * others end soon, and the failure is thrown.
  */
 internal fun inParallel(jobs: Int, given: GivenUp, work: () -> Unit) {

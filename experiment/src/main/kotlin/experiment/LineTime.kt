@@ -59,7 +59,7 @@ internal fun leastStopNanos(trial: Trial): Long {
 /** The interval at which a board compares its sensors with its rules, in ns. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The longest frame in an answer of a board that watches rules. The numbers of request and part stand before the percepts. */
+/** The longest frame in an answer of a board that watches rules. The numbers of request and part stand in front of the percepts. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds

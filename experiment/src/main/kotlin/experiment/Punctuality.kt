@@ -52,8 +52,8 @@ internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condi
 internal val Finished.isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 
 /**
- * Calls [make] until it has made a run in which this machine was not too late, [MAX_TRIES] times at most. Returns the last run; null if
- * [make] has made none.
+ * Calls [make] again until it has made a run in which this machine was not too late, but at most [MAX_TRIES] times. Returns the last run;
+ * null if [make] has made none.
  *
  * @param repeated called before each repetition
  */

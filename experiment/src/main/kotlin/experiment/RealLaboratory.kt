@@ -22,7 +22,7 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
         }
     }
 
-    /** Has the user put the robot at the start for [trial]; returns false if the experiment is aborted. */
+    /** Makes the user put the robot at the start for [trial]; returns false if the experiment is aborted. */
     fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
@@ -38,8 +38,8 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 /**
  * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times of a result begin as
  * in a [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the
- * agent does not send `stop`, the laboratory sends it. [ready] has the robot put at the start for a run; returns false if the experiment is
- * aborted.
+ * agent does not send `stop`, the laboratory sends it. [ready] makes the user put the robot at the start for a run; returns false if the
+ * experiment is aborted.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -60,7 +60,7 @@ internal class RealLaboratory(
                 val now = clock.nanos()
                 val outcome = outcome(witness.beliefs, now - begin) ?: continue
                 halt(witness)
-                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings then show the robot at rest
+                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // by then the newest readings show the robot at rest
                 val (front, _, trouble) = witness.beliefs
                 val reason = if (outcome != Outcome.FAILED) null else trouble
                     ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says $front"
@@ -69,7 +69,7 @@ internal class RealLaboratory(
                 )
             }
             halt(witness)
-            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // in this time the command goes out
+            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the time in which the command goes out
             if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {

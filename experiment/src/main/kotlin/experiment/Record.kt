@@ -55,7 +55,7 @@ internal sealed interface Entry {
         val frames: Int = 0,
         /** The largest lateness of this machine in the run, in ms; 0 for a real robot. */
         val lateMs: Double = 0.0,
-        /** For [Outcome.IDLE] and [Outcome.FAILED]: the reason why there is nothing to measure. */
+        /** For [Outcome.IDLE] and [Outcome.FAILED], the reason why there is nothing to measure. */
         val reason: String? = null,
     ) : Entry
 }
@@ -83,17 +83,18 @@ internal val JSON = Json { encodeDefaults = true }
 /**
  * Writes the record of one run to [file], line by line. Safe on any thread. Overwrites an existing file.
  *
- * An agent and its board write in the middle of a run, so a full disk throws nothing there. The record ends, and [requireWhole] reports it.
+ * An agent and its board write in the middle of a run, so a full disk causes no exception there. The record ends, and [requireWhole]
+ * reports it.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out = Files.newOutputStream(file) // not buffered, since a refused line must not come later
+    private val out = Files.newOutputStream(file) // not buffered, since a line that was refused must not come later
     private var isEnded = false
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line. Adds none after the result, after [close], or after a failed line. A board may still answer when its
-     * run is over.
+     * Adds [entry] as one whole line. Adds nothing after the result, after [close], or after a failed line. A board may still answer when
+     * its run is over.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {

@@ -24,7 +24,7 @@ private fun RuleList.stopAt(limit: Int) = critical("dist") {
 
 /**
  * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. Before an experiment begins, this has
- * no filters. So agents of other samples in the same program, and their live views, do not have them.
+ * no filters. So agents of other samples in the same program, and their live views, see no such filters.
  */
 internal class ReflexFilters : FilterProvider {
     override val filters get() = offered

@@ -6,8 +6,8 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
 
 /**
- * Accounts for the additional time of a slower computer: the difference between the times of a reasoning cycle there and here. A time that
- * is too short for waiting is carried over. [factor] is the ratio by which the other computer is slower, at least 1.
+ * Accounts for the additional time of a slower computer: the difference between a cycle's time there and here. A time that is too short for
+ * waiting is carried over. [factor] is the ratio by which the other computer is slower, at least 1.
  */
 internal class SlowTime(private val factor: Double) {
     private var owed = 0.0

@@ -21,11 +21,14 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
-    /** Version 2, with filters whose kept percepts the agent can request from the board. */
+    /** The board speaks version 2, so the agent can request only the percepts that its filter keeps. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /** Like [VERSION_2]. In addition the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
+    /**
+     * Like [VERSION_2]. Like the condition above, but the board watches a critical rule at the limit, and the rule's reflex stops the
+     * robot.
+     */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
@@ -50,7 +53,7 @@ internal enum class View(val word: String) {
     FRONT_DISTANCE("frontDistance"),
     ;
 
-    /** The functors of the kept percepts, for requests to a board of version 2; null: all. */
+    /** The functors of the kept percepts, for requests to a board of version 2; null: all percepts are kept. */
     val functors: List<String>?
         get() = when (this) {
             NONE -> null

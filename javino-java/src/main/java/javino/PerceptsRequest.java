@@ -12,7 +12,10 @@ public final class PerceptsRequest {
     /** Asks for all percepts. Every board answers it, and none acts on it. */
     public static final String ALL = "getPercepts";
 
-    /** Asks a board of version 2 for the kinds of its percepts. A board that describes none takes it as a request for some functors. */
+    /**
+     * Asks a board of version 2 for the kinds of its percepts. A board that describes no kinds takes the question for a request for some
+     * functors.
+     */
     public static final String KINDS = ALL + "(?)";
 
     private static final String SOME = ALL + "(";

@@ -2,10 +2,10 @@ package javino;
 
 /** The version of the Javino protocol that is spoken on a line. */
 public enum Protocol {
-    /** As a setting: the board is asked for its version. As the state of a link: the version is not known yet. */
+    /** As a setting, it makes the link ask the board for its version. As the state of a link, it says that the version is not known yet. */
     AUTO,
 
-    /** Version 1, which boards in the field speak: frames without a checksum, nothing is acknowledged. */
+    /** Version 1, which boards in the field speak: frames have no checksum, and nothing is acknowledged. */
     V1,
 
     /** Version 2: short frames with a checksum, answers of any length, acknowledged commands, critical rules on the board. */

@@ -14,9 +14,9 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has none: it waits until the far end reads. So a thread of this writer
- * writes while the caller waits. If the driver certainly takes the bytes at once, the caller writes by itself. Safe on any thread; writes
- * go out whole, in the order of the calls.
+ * Gives blocking writes a time limit. The operating system's write has no limit: it waits until the far end reads. So a thread of this
+ * writer writes while the caller waits. If the driver certainly takes the bytes at once, the caller writes by itself. Safe on any thread;
+ * writes go out whole, in the order of the calls.
  */
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());

@@ -43,7 +43,7 @@ public interface Transport extends AutoCloseable {
      *
      * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread calls the driver itself,
      *     after it has found that the line {@linkplain #isWritableNow takes a frame now}
-     * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
+     * @throws PortTimeoutException if the driver has not taken all bytes in that time; some may have left
      * @throws PortGoneException if the line is closed, or its device gone
      */
     void write(byte[] b, int off, int len, int timeoutMillis) throws PortException;
@@ -56,7 +56,7 @@ public interface Transport extends AutoCloseable {
      * thread writes. This is certain if the line knows its room, or if the {@code unread} bytes leave room in the smallest buffer that the
      * line may have. Safe on any thread; does not wait.
      *
-     * @param unread number of the last written bytes that the far end may not have read. Only answers prove that it has read bytes
+     * @param unread number of the last written bytes that the far end may not have read. Only answers prove that the far end has read bytes
      */
     default boolean isWritableNow(long unread) {
         return false;

@@ -26,7 +26,7 @@ public final class Transports {
      * Opens {@code port}.
      *
      * @throws NoSuchPortException if there is no such port or scheme; the message lists those there are
-     * @throws PortBusyException if it is open already
+     * @throws PortBusyException if the port is open already
      * @throws PortPermissionException if this user may not open it
      * @throws PortFaultException if the driver refuses for another reason
      */

@@ -11,9 +11,9 @@ import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
 
 /**
- * Returns the board rule that decides like [critical]; null: there is none.
- * A board compares texts and decimal numbers. So both rules decide alike for percepts as boards write them: without namespaces, comments,
- * variables and expressions, with numbers of at most 15 digits without an exponent, and all of a functor with equally many arguments.
+ * Returns the board rule that decides like [critical]; null: there is none. A board compares texts and decimal numbers. So both rules
+ * decide alike for percepts as boards write them: without namespaces, comments, variables and expressions, with numbers of at most 15
+ * digits without an exponent, and with the same number of arguments for each functor.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
@@ -39,8 +39,9 @@ private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
 
 /**
- * Returns true if the condition has one limit, or all others only say for which sensor it is. A filter holds to a second limit for each
- * sensor and condition, and a board for the rule. So each argument in front must have one value, and no other one may be asked for.
+ * Returns true if the condition has one limit, or if all other conditions only say for which sensor it is. A filter remembers for each
+ * sensor and condition that a second limit counts, and a board remembers it for the rule. So each argument in front must have one value,
+ * and no other argument may be asked for. Percepts are taken to have no argument behind it that tells sensors apart.
  */
 private fun Condition.namesSensor(all: List<Condition>): Boolean {
     if (until() == null) return true

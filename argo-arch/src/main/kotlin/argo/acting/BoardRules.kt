@@ -9,13 +9,13 @@ import kotlin.concurrent.withLock
 
 /**
  * The critical rules that one board itself watches. Sends the board the rules that the agent wants and the board can watch, in their order,
- * until the board is full. Rules that the board holds are not sent again. Safe for use by several threads.
+ * until the board is full. Rules that the board already holds are not sent again. Safe for use by several threads.
  *
- * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change board and computer
- * may both carry a reflex out, but never do both miss a percept.
+ * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So after a change both board and
+ * computer may carry a reflex out, but they never both miss a percept.
  *
- * If the board restarts, a waiting command goes out in the board's next session. So each session but the first begins with a removal of all
- * rules, behind such late commands.
+ * If the board restarts, a waiting command may go out in the board's next session. So each session except the first begins with a removal
+ * of all rules, which follows such late commands.
  *
  * @param wanted returns the critical rules that the agent wants to be watched now; called under this object's lock, by any thread
  * @param submit queues a command to the board, and calls its last argument once with the outcome, on any thread; called outside of the lock
@@ -55,7 +55,7 @@ internal class BoardRules(
         adjust()
     }
 
-    /** Sends the board changed rules; the agent may want others now. */
+    /** Sends the board the rules that have changed, since the agent may want other rules now. */
     fun renew() = changing { if (room > 0) adjust() }
 
     /** Returns true if the board watches [rule]. */
@@ -72,7 +72,7 @@ internal class BoardRules(
         while (true) submit(nextToSend() ?: return)
     }
 
-    /** Returns the message that this thread has to send; null: none, or another thread is sending. So messages go out in order. */
+    /** Returns the message that this thread has to send; null: there is none, or another thread is sending. So messages go out in order. */
     private fun nextToSend(): Message? = lock.withLock {
         if (isSending) return null
         unsent.removeFirstOrNull()?.also {
@@ -109,15 +109,15 @@ internal class BoardRules(
         unsent += Message(boardRule.setting(new.number), new)
     }
 
-    /** Returns the number that has been unused for longest: a late report is not taken for a report of another rule. */
+    /** Returns the number that has been unused for longest, so a late report is not taken for a report of another rule. */
     private fun freeNumber(): Int {
         do lastNumber = lastNumber % MAX_NUMBER + 1 while (held.values.any { it.number == lastNumber })
         return lastNumber
     }
 
     /**
-     * Takes the outcome of [entry]. The computer goes on watching a rule that is not acknowledged. Unless the board has refused the rule,
-     * it may watch the rule too.
+     * Takes the outcome of [entry]. The computer goes on watching a rule that is not acknowledged. The board may watch the rule too, unless
+     * it has refused the rule.
      */
     private fun ended(entry: Held, failure: Failure?) = changing {
         if (held[entry.rule] === entry) {

@@ -83,10 +83,10 @@ internal class CommandSender(
         try {
             link.writeCommandsUntilClosed()
         } catch (_: PortGoneException) {
-            // nothing is left to do: the waiting commands have failed
+            // nothing is left to do here: the waiting commands have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // opening the port anew starts another thread; without a thread no command goes out
+        } catch (unforeseen: Throwable) { // when the port is opened anew, another thread starts; without a thread no command goes out
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

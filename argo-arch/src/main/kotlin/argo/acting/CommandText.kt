@@ -4,7 +4,9 @@ import argo.calls.ArgumentException
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.jason.perceptText
+import jason.asSyntax.ASSyntax
 import jason.asSyntax.BinaryStructure
+import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
 import jason.asSyntax.StringTerm
@@ -41,7 +43,8 @@ internal fun requireCommand(command: Term) {
 
 /**
  * Returns the text to send for [command]: a string without its quotes, or a literal without its namespace. [requireCommand] has let the
- * command through. A line takes the literal as Jason writes it. Other links read the text back, so strings in it have escapes.
+ * command through. A line takes the literal as Jason writes it, but for quotes in its strings, which are escaped. Other links read the
+ * text back, so strings in the text have all escapes.
  *
  * @param isLine whether the text goes out as bytes on a line, see [argo.links.BoardLink.isLine]
  * @throws ArgumentException if a line cannot carry it
@@ -66,7 +69,7 @@ private fun lineText(text: String): String {
 /** Returns [literal] as Jason writes it, without its namespace. Jason's own way takes a tenth of the time from percept to command. */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
-    else -> withoutNamespace(literal).toString()
+    else -> withEscapes(withoutNamespace(literal)).toString()
 }
 
 private fun withoutNamespace(literal: Literal): Literal =
@@ -81,9 +84,23 @@ private fun Literal.writeTo(text: StringBuilder) {
     for (place in 0 until arity) {
         text.append(if (place == 0) '(' else ',')
         val term = getTerm(place)
-        if (isPlain(term) && (term as Literal).ns === Literal.DefaultNS) term.writeTo(text) else text.append(term)
+        if (isPlain(term) && (term as Literal).ns === Literal.DefaultNS) term.writeTo(text) else text.append(withEscapes(term))
     }
     if (arity > 0) text.append(')')
 }
+
+/** Returns [term] with each quote in a string escaped. Jason writes it bare, so that it would end the string for a board. */
+private fun withEscapes(term: Term): Term = when {
+    term is StringTerm -> ASSyntax.createString(TO_ESCAPE.replace(term.string) { if (it.value.length > 1) it.value else "\\${it.value}" })
+    term is ListTerm -> ASSyntax.createList(term.asList.map(::withEscapes))
+    term.javaClass in PLAIN -> (term.clone() as Literal).apply {
+        for (place in 0 until arity) setTerm(place, withEscapes(getTerm(place)))
+        if (hasAnnot()) setAnnots(withEscapes(annots) as ListTerm)
+    }
+    else -> term
+}
+
+/** A quote; or a backslash, of which two are the escape of one already: for Jason they are two characters. */
+private val TO_ESCAPE = Regex("""\\\\|[\\"]""")
 
 private val PLAIN = setOf<Class<*>>(LiteralImpl::class.java, Structure::class.java)

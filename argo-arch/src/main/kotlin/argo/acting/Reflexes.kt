@@ -17,13 +17,13 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads.
- * If the computer watches a rule, it sends the reflex when the rule begins to be met. It sends the reflex again with each further message
- * that meets the rule, until the command has gone out or, in version 2, the board has acted or refuses. After that it sends the reflex only
- * when the rule begins to be met anew.
- * If the board watches a rule, the board carries the reflex out and reports that. A report can be lost, and a board can read a strange
- * percept differently. So if a second message meets the rule without a report, the computer sends the reflex.
- * @param send sends a command to the board on a port before all waiting ones; calls its last argument once with the outcome, on any thread
+ * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads. If the computer watches a rule, it
+ * sends the reflex when the rule begins to be met. It sends the reflex again with each further message that meets the rule, until the
+ * command has gone out or, in version 2, the board has acted or refuses. After that it sends the reflex only when the rule ceases to be met
+ * and begins to be met again. If the board watches a rule, the board carries the reflex out and reports that. A report can be lost, and a
+ * board can read a strange percept differently. So if a second message meets the rule without a report, the computer sends the reflex.
+ * @param send sends a command to the board on a port ahead of all waiting commands; calls its last argument once with the outcome, on any
+ * thread
  * @param isBoards returns whether the board on a port watches a rule
  * @param ended takes each outcome: null, or the reason of a failure; on any thread
  * @param warning takes the failures of reflexes
@@ -36,7 +36,7 @@ internal class Reflexes(
 ) {
     private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
-    /** One reflex, while its rule is met. */
+    /** One reflex while its rule is met. */
     private class Run {
         var phase = Phase.BEGUN
 
@@ -70,10 +70,10 @@ internal class Reflexes(
         tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
     }
 
-    /** Forgets which rules are met, since they were met at another time or place. */
+    /** Forgets which rules are met, since they were met at another time or by another board. */
     fun forget() = keepOnly(emptyList())
 
-    /** Watches only [rules] from now on. Rules that are met now stay met. */
+    /** Watches only [rules] from now on. Watched rules that are met now stay met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {

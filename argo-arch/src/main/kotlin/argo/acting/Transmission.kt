@@ -3,7 +3,7 @@ package argo.acting
 import argo.calls.Failure
 
 /**
- * A command that a link has taken. The callbacks are attached after the write, so bookkeeping does not delay the first byte.
+ * A command that a link has accepted. The callbacks are attached after the write, so their cost does not delay the first byte.
  *
  * @property giveUp ends the command early, as far as possible, without waiting; null: the board cannot be stopped
  */
@@ -13,17 +13,17 @@ internal class Transmission(
 ) {
     /**
      * Sets the callbacks for the command's end. Call this once, on the thread that has sent the command. A command that has not begun to go
-     * out at its time limit fails with `act_timeout`, and never goes out. One that has begun by then fails with `act_unconfirmed`. A
-     * replaced command fails with `act_replaced`.
+     * out at its time limit fails with `act_timeout`, and never goes out. A command that has begun to go out fails with `act_unconfirmed`
+     * at its time limit. A replaced command fails with `act_replaced`.
      *
      * @param left called once, by any thread, when the command is no longer under way to the board; before [outcome]
      * @param outcome called once, by any thread. Null: the last byte has left the line or, in version 2, the board has acted. Else: the
-     *     reason of the failure. Second: the text of the board's answer, if the options asked for one
+     *     reason of the failure. Its second argument is the text of the board's answer, if the options asked for one
      */
     fun follow(left: () -> Unit, outcome: (failure: Failure?, answer: String?) -> Unit) = following(left, outcome)
 }
 
-/** Returns a command that has ended: with [failure], or null, and the text of the [answer] that was asked for. */
+/** Returns a command that has ended, with [failure] or null, and with the text of the requested [answer]. */
 internal fun ended(failure: Failure?, answer: String? = null) = Transmission { left, outcome ->
     left()
     outcome(failure, answer)

@@ -37,8 +37,8 @@ import java.util.logging.Logger
  * The ports of one agent, the boards on them, and the agent's wishes to the boards: whether it perceives them, how often, and through which
  * filter.
  *
- * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change waiting threads are woken to read again.
- * Any thread may call the functions unless they say otherwise.
+ * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change, waiting threads are woken to read the
+ * wishes again. Any thread may call the functions unless they say otherwise.
  *
  * @property maxPercepts the most percepts of a board that the agent believes at once
  * @param queues the agent's events and intentions
@@ -70,11 +70,11 @@ internal class AgentBoards(
     var filter: PerceptionFilter? = null
         private set
 
-    /** The published coupling. Null: threads other than the agent's own sense the boards and write commands. */
+    /** The published coupling. Null: the boards are sensed and the commands written by other threads than the agent's. */
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards perceived since all ports were last closed. Changes only together with the ports in use. */
+    /** All boards that the agent has perceived since its ports were last closed. Changes only together with the ports in use. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
@@ -119,7 +119,7 @@ internal class AgentBoards(
     /** Returns the board on [port], if that is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board, perceived now or before, that the agent calls [port]; null: none. */
+    /** Returns the board that the agent calls [port], perceived now or before; null: none. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
     /** Returns the perceived boards with [percept]. */
@@ -144,7 +144,9 @@ internal class AgentBoards(
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
         val tellLost = { count: Long ->
-            if (count.countOneBits() == 1) log.warning("the agent is too slow for the events of port ${board.term}: $count are lost")
+            if (count.countOneBits() == 1) {
+                log.warning("the agent is too slow for the events of port ${board.term}: $count are lost; make its plans for them shorter")
+            }
         }
         return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             if (!isStanding) late.report("late") {
@@ -200,7 +202,7 @@ internal class AgentBoards(
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Has each line read the agent's wishes anew. */
+    /** Makes each line read the agent's wishes anew. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
     /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last perception. */
@@ -216,7 +218,7 @@ internal class AgentBoards(
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
 
-    /** Returns the time in ms until there is something to perceive without news from a board; null: never. */
+    /** Returns the time in ms until there is something to perceive even without news from a board; null: there will be nothing. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
     /** Sends [text] on [port]; no snapshot waits for this command. The caller must [follow][Transmission.follow] it. */
@@ -238,7 +240,10 @@ internal class AgentBoards(
         }
     }
 
-    /** Notes that the agent begins or ceases to stand. Then it perceives next the newest snapshots, and no earlier ones. Agent's thread. */
+    /**
+     * Notes that the agent begins or ceases to stand. After a stand it perceives only the newest snapshots, no earlier ones. Agent's
+     * thread.
+     */
     fun stands(isStanding: Boolean) {
         this.isStanding = isStanding
         val dropped = if (isStanding) 0 else current.sumOf(Board::catchUp)

@@ -26,11 +26,11 @@ internal class AgentPerception(private val boards: AgentBoards) {
         if (snapshots.isNotEmpty()) boards.forgetFormer()
         snapshots.forEach { snapshot -> boards.observers.each { it.messagePerceived(snapshot) } }
         newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
-        val isBoardNews = boards.current.count(Board::update) > 0 // count, not any: each board must be updated
+        val isBoardNews = boards.current.count(Board::update) > 0 // count, not any: update must run for each board
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 
-    /** Returns the critical percepts of the snapshots that the last [update] took. The next call returns none. */
+    /** Returns the critical percepts of the snapshots that the last [update] took. The next call of this function returns none. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
     /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */
@@ -49,8 +49,8 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the ms between the oldest and the newest reading that the agent believes of its boards; null: there is none. Boards that are
-     * off, time out or are stale do not count. Any thread.
+     * Returns the ms between the oldest and the newest reading of its boards that the agent believes; null: it believes none. Boards that
+     * are off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
         val readings = boards.current.filter { boards.answers(it.port) }.mapNotNull { it.sensedNanos }

@@ -5,7 +5,7 @@ import jason.bb.StructureWrapperForLiteral
 
 /**
  * The percepts of a board that an agent believes, and those of the snapshot before. Immutable, so no reader sees half a change.
- * @property nanos the arrival time of the readings in [percepts], by the platform's clock; null: there are none
+ * @property nanos the arrival time of the readings in [percepts], by the platform's clock; null: [percepts] has no readings
  */
 internal class BelievedPercepts private constructor(val percepts: List<Literal>, val nanos: Long?, private val before: List<Literal>) {
     private val keys by lazy(LazyThreadSafetyMode.PUBLICATION) { (percepts + before).mapTo(HashSet(), ::StructureWrapperForLiteral) }

@@ -37,7 +37,7 @@ import kotlin.concurrent.withLock
  *
  * @property term the agent's name for the port
  * @param port the line to the board
- * @param former the board whose filter and interval this board takes over; null: the agent's apply
+ * @param former the board whose filter and interval this board takes over; null: the agent's filter and interval apply
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
     /** The board's own filter; if [filter] is null, every percept passes. */
@@ -47,7 +47,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     val namespace: String? = port.options.namespace
     private val space: Atom? = namespace?.let(ASSyntax::createAtom)
 
-    /** The line to the board; a closed line while the device has gone. Any thread may read. */
+    /** The line to the board; while the device is gone, a closed line. Any thread may read. */
     @Volatile
     var port: OpenPort = port
         private set
@@ -114,12 +114,12 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         stale.renew()
     }
 
-    /** Takes [port] as the line after the device has come back. Beliefs about the board keep their age. Any thread. */
+    /** Takes [port] as the line when the device has come back. Beliefs about the board keep their age. Any thread. */
     fun reconnect(port: OpenPort) {
         this.port = port
     }
 
-    /** Forgets sensed percepts that were not perceived: they are of another time or place. Any thread. */
+    /** Forgets sensed percepts that were not perceived, since they are of another time or another board. Any thread. */
     fun forget() = percepts.forget()
 
     /** Begins the wait for messages anew and forgets unperceived percepts: the agent begins or stops perceiving. */
@@ -173,7 +173,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /** Returns true if an agent woken now would only wait for other boards' answers. The last of these answers wakes the agent. */
+    /**
+     * Returns true if waking the agent now were in vain, since it would wait for other boards' answers. The last of these answers wakes the
+     * agent.
+     */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
     /** Takes a percept that the board has reported. See [BoardPercepts.reported], also for the result. Any thread. */
@@ -196,23 +199,23 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     }
 
     /**
-     * Returns true if [percept] is of this board, or was before the last snapshot. [isAlone]: no other board has this board's namespace.
+     * Returns true if [percept] is one of this board's, or was one before the last snapshot. [isAlone]: no other board has this namespace.
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
-    /** Recomputes whether the board is stale. Returns true if that, or the outcome of a reflex, has changed. */
+    /** Recomputes whether the board is stale. Returns true if this, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** Returns the ms until the agent has something to perceive here without news from the board; null: never. */
+    /** Returns the ms until the agent has something to perceive here even without news from the board; null: it will have nothing. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
     }
 
-    /** Returns true if there is something to perceive now besides a snapshot. Any thread. */
+    /** Returns true if there is something to perceive now other than a snapshot. Any thread. */
     fun hasNews(): Boolean = stale.hasNews() || reflexes.hasNews() ||
         agent.perceives(this) && percepts.dueInMs() == 0L
 

@@ -16,7 +16,7 @@ internal class ExpectedAnswer {
         expectAfter(nanos)
     }
 
-    /** Notes that the answer has come. An answer counts as expected until it is [read]. */
+    /** Notes that the answer has come. The answer counts as expected until it is [read]. */
     fun came(nanos: Long) {
         val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked
@@ -42,7 +42,7 @@ internal class ExpectedAnswer {
     fun isNear(nowNanos: Long): Boolean = expectedNanos?.let { it - nowNanos in -LATE_NANOS..SOON_NANOS } == true
 
     companion object {
-        /** The longest wait of a snapshot for an answer that is not late: each wait delays percepts that have come. */
+        /** The longest wait of a snapshot for an answer that is not late: each wait delays percepts that have already come. */
         val SOON_NANOS = TimeUnit.MILLISECONDS.toNanos(2)
 
         /** The longest wait for a late answer. Late answers are rare: eight boards on two processors answer some milliseconds apart. */

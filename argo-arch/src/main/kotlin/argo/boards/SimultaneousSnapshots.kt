@@ -7,12 +7,12 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady] in their boards' hand-overs.
- * Snapshots wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
+ * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady] in their boards' hand-overs. A
+ * snapshot waits up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
  * are perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
  * @param boards returns the boards that the agent perceives
- * @param wake wakes the agent until its argument returns true; called when a wait has lasted too long
+ * @param wake wakes the agent until its argument returns true; called when a snapshot has waited too long
  */
 internal class SimultaneousSnapshots(
     private val platform: Platform,
@@ -49,10 +49,10 @@ internal class SimultaneousSnapshots(
         wait.get()?.leave(board)
     }
 
-    /** Returns true if the newly ready snapshot of [board] waits for other boards. If that lasts too long, the agent is woken. */
+    /** Returns true if the newly ready snapshot of [board] has to wait for other boards. If it waits too long, the agent is woken. */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
-    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first such result begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first true result begins the wait. */
     private fun areAwaiting(boards: List<Board>) =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 
@@ -61,13 +61,13 @@ internal class SimultaneousSnapshots(
         return (wait.get() ?: begin(boards, now))?.lasts(now) == true
     }
 
-    /** Begins a wait; null: no board is awaited. If an answer stays out, a timer wakes the agent. */
+    /** Begins a wait; null: there is no board to wait for. If an answer does not come, a timer wakes the agent. */
     private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
         val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // their answers came before the wait was visible
+        awaited.filter(Board::isReady).forEach(begun::leave) // the answers came before other threads could see the wait
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }

@@ -11,15 +11,18 @@ import jason.asSyntax.Term
 
 /**
  * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here once in a cycle, and stays the
- * same within the cycle. [Live] hands inputs on. A recorder also notes them. A replay replaces them by recorded ones.
- * The agent's thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
+ * same within the cycle. [Live] hands inputs on. A recorder also notes them. In a replay, recorded inputs replace the live ones. The
+ * agent's thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
  */
 interface Boundary {
-    /** Begins a reasoning cycle of the agent of [ts]. Completes what ended outside of the agent's thread, such as [suspended] calls. */
+    /**
+     * Begins a reasoning cycle of the agent of [ts]. Completes the work that ended outside of the agent's thread, such as [suspended]
+     * calls.
+     */
     fun cycleStarting(ts: TransitionSystem)
 
     /**
-     * Has [carryOut] carry out the orders to the agent in this cycle, in their order. [live] returns the orders that have come. Called just
+     * Passes the orders to the agent to [carryOut] in this cycle, in their order. [live] returns the orders that have come. Called just
      * after [cycleStarting].
      */
     fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit)
@@ -30,7 +33,7 @@ interface Boundary {
     /** Returns the percepts that meet critical rules and are new in this cycle; their events come first. */
     fun newlyCritical(live: () -> List<Literal>): List<Literal>
 
-    /** Returns the port of the board with [percept], whose event waits; null: no board has it. */
+    /** Returns the port of the board with [percept], whose event waits in the agent's queue; null: no board has it. */
     fun boardOf(percept: Literal, live: () -> String?): String?
 
     /** Takes the agent's mail; [live] adds the messages that have come to its mailbox. */
@@ -40,9 +43,9 @@ interface Boundary {
     fun call(call: InternalCall, live: () -> Any): Any
 
     /**
-     * Returns the callback of an intention that waits for something outside. Any thread may call the callback, once, when the wait is over.
-     * After that [complete] is called, at once or in a later cycle, with null or with the reason of a failure, and with the
-     * text of the answer from outside, or null.
+     * Returns the callback for an intention that waits for something outside. Any thread may call the callback, once, when the wait is
+     * over. The agent's thread then calls [complete], at once or in a later cycle: with null or the reason of a failure, and with the text
+     * of the answer from outside, or null.
      */
     fun suspended(complete: (failure: CommandFailure?, answer: String?) -> Unit): (failure: CommandFailure?, answer: String?) -> Unit
 
@@ -58,16 +61,19 @@ interface Boundary {
     /** Returns true if the agent may sleep. Other threads call this too, and outside of cycles. */
     fun canSleep(live: () -> Boolean): Boolean
 
-    /** Notes that Jason may have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
+    /** Notes that Jason may just have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
     fun ruleApplied()
 
     /**
-     * Returns true if the agent carries out no intention in this cycle, since it is to stand first; [live] returns whether it is. Called
-     * between two rules of the cycle.
+     * Returns true if the agent carries out no intention in this cycle, since it must stand first; [live] returns the same without a
+     * replay. Called between two rules of the cycle.
      */
     fun isHeld(live: () -> Boolean): Boolean
 
-    /** Returns the result of [ask], a person's question to the agent, which leaves no trace in its cycles. Also called between cycles. */
+    /**
+     * Returns the result of [ask], a person's question to the agent; the question leaves no trace in the agent's cycles. Also called
+     * between cycles.
+     */
     fun <T> asking(ask: () -> T): T
 
     /** Ends the cycle. */
@@ -78,7 +84,7 @@ interface Boundary {
  * The perception of an agent in one cycle.
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
- * @property waiting if events of several boards take turns, the number of events in the agent's queue before those of [percepts]; else null
+ * @property waiting the number of events in the agent's queue before those of [percepts], if events of several boards take turns; else null
  * @property hasNamespaces whether a percept of the agent has or had its own namespace
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
@@ -89,13 +95,13 @@ class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = 
  * @property name the action as the agent writes it, such as `argo.act`
  * @property args the call's arguments, as Jason prepares them
  * @property un the unifier in which the call may bind the variables of [args]
- * @property suspend suspends the intention like a successful call; null: the call suspends none
+ * @property suspend suspends the intention, as a successful call does; null: the call suspends none
  */
 class InternalCall(val name: String, val args: Array<Term>, val un: Unifier, val suspend: (() -> Unit)? = null) {
     override fun toString() = "$name(${args.joinToString(",")})"
 }
 
-/** Hands all inputs on at once. */
+/** Passes all inputs on at once. */
 internal object Live : Boundary {
     override fun cycleStarting(ts: TransitionSystem) = Unit
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = live().forEach(carryOut)

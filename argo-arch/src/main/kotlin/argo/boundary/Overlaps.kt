@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Detects overlapping cycles of recorded agents, and programs read meanwhile. In such cycles it is unknown who drew which number from
- * Jason's counters. Any thread may call.
+ * Detects cycles of recorded agents that overlap, with each other or with the reading of a program. In such cycles nobody knows which agent
+ * drew which number from Jason's counters. Any thread may call.
  */
 object Overlaps {
     private val open = AtomicInteger()
@@ -14,7 +14,7 @@ object Overlaps {
     /** Begins a cycle, or the reading of a program, and returns its number for [end]. */
     fun begin(): Long = (open.getAndIncrement() == 0).let { isAlone -> begun.incrementAndGet().takeIf { isAlone } ?: -1 }
 
-    /** Ends what has this [number]. Returns true if nothing else ran at the same time. */
+    /** Ends the cycle or the reading with this [number]. Returns true if nothing else ran at the same time. */
     fun end(number: Long): Boolean {
         open.decrementAndGet()
         return number == begun.get()

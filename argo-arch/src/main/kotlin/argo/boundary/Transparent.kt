@@ -1,4 +1,7 @@
 package argo.boundary
 
-/** An architecture that hands on every input of its agent unchanged. Agents with such architectures besides `argo.Arch` can be recorded. */
+/**
+ * An architecture that passes every input of its agent on unchanged. Agents that have only such architectures besides `argo.Arch` can be
+ * recorded.
+ */
 interface Transparent

@@ -22,7 +22,7 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
  * @param example a correct list, for the message
  * @param known the known options, for the message
  * @param with applies an option; null: the option is unknown
- * @throws ArgumentException like [optionsIn], or if options cannot be used; the message names all of these
+ * @throws ArgumentException like [optionsIn], or if options cannot be used; the message names all unusable options
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
     val wrong = ArrayList<String>()

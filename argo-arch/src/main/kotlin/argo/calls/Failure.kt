@@ -20,7 +20,7 @@ internal data class Failure(override val error: String, override val cause: Stri
 /** The error if a board has no answer to a command whose answer was asked for. */
 internal const val NO_ANSWER = "no_answer"
 
-/** Returns this failure; if the port's device has gone, with a sentence about that. */
+/** Returns this failure; if the port's device has gone, adds a sentence about that. */
 internal fun Failure.whileLost(): Failure =
     if (error == "port_gone") copy(cause = "$cause; a device that was unplugged is looked for, and its port opened again") else this
 

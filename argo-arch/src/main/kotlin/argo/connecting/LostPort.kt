@@ -18,7 +18,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
     private var delayMs = FIRST_DELAY_MS
     private val failures = HashMap<Class<*>, Int>()
 
-    /** The number of times in a row that the port was lost soon after it had been opened; 0: it worked for a while. */
+    /** How often in a row the port was lost soon after it had been opened; 0: it worked for a while. */
     var losses = if (wasSound) 0 else port.losses + 1
         private set
 
@@ -35,7 +35,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
 
     fun nextLookMs(): Long = delayMs
 
-    /** Notes that the port could not be opened. Returns true for failure number [REPORTED_FAILURE] of a kind: it is to be reported. */
+    /** Notes that the port could not be opened. Returns true for failure number [REPORTED_FAILURE] of a kind, which must be reported. */
     fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == REPORTED_FAILURE
 
     private companion object {
@@ -47,7 +47,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         const val MAX_DOUBLINGS = 10
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
-        /** The number of failures before a report: just after a device is plugged in, the user may not open it for a moment. */
+        /** The number of failures before a report: right after a device is plugged in, the user may not yet have the right to open it. */
         const val REPORTED_FAILURE = 4
     }
 }

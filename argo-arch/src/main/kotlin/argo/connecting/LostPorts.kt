@@ -34,7 +34,7 @@ internal class LostPorts(
         ports.forEach { closing.merge(it.port, setOf(it.name), Set<String>::plus) }
     }
 
-    /** Removes the entries for [term] that belong to another port than [port]. */
+    /** Removes the entries for [term] that belong to a port other than [port]. */
     fun removeOthers(term: Term, port: OpenPort) {
         lock.withLock { lost.removeAll { it.term == term && it.port !== port } }
     }
@@ -45,7 +45,7 @@ internal class LostPorts(
         givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
     }
 
-    /** Forgets all lost ports. Ports that are being closed still get closed. */
+    /** Forgets all lost ports. Ports that are being closed are still closed. */
     fun clear() = lock.withLock { lost.clear() }
 
     /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]. Returns when the device is free. */
@@ -76,7 +76,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // closed only here, since the thread that finds the loss may not wait
+            close(port.port) // closed only here, since the thread that notices the loss may not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -86,8 +86,8 @@ internal class LostPorts(
 }
 
 /**
- * Does [work] and returns any exception that it throws. The exception must end neither a plan that waits for its port nor the search for a
- * lost port.
+ * Does [work] and returns the exception that it throws, if any. The exception must end neither a plan that waits for its port nor the
+ * search for a lost port.
  */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()

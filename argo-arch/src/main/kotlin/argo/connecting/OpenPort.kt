@@ -60,6 +60,9 @@ internal interface PortUser {
     /** Notes that [port] is open and belongs to the agent. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
-    /** Notes that the ports in use have changed: to others, to none, or to the same devices opened anew. Called by the changing thread. */
+    /**
+     * Notes that the ports in use have changed: other ports are in use, or none, or the same devices were opened anew. Called by the
+     * changing thread.
+     */
     fun portInUseChanged()
 }

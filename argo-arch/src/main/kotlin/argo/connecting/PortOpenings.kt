@@ -6,8 +6,8 @@ import kotlin.concurrent.withLock
 
 /**
  * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]. One thread at a time opens a device. An
- * opening over a network may take seconds. So an opening that the agent asks for interrupts an opening of the same device that the agent
- * did not ask for. Safe for use by several threads.
+ * opening over a network may take seconds. So if the agent asks for a device, this interrupts an opening of the device that the agent did
+ * not ask for. Safe for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)

@@ -35,7 +35,10 @@ internal data class PortOptions(
         fun of(term: Term): PortOptions = withOptions(PortOptions(), term, "[baud(115200)]", KNOWN) { with(it) }
     }
 
-    /** Returns the link's settings. A line that is not [paced] uses version 1, as published, unless the options ask for version 2. */
+    /**
+     * Returns the link's settings. A line that is not [paced] uses version 1, as the published one did, unless the options ask for version
+     * 2.
+     */
     fun linkSettings(paced: Boolean): LinkSettings {
         val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
         return link.withPaced(paced).withProtocol(version)
@@ -48,7 +51,7 @@ internal data class PortOptions(
     /** Returns true if [other] opens a port in the same way. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
-    /** The list that [of] reads as these options. Only options that differ from the default are in it. */
+    /** The list from which [of] reads these options. Contains only options that differ from the default. */
     val text: String
         get() = LinkSettings.defaults().let { usual ->
             listOfNotNull(

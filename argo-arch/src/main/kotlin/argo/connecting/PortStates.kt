@@ -35,7 +35,8 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     /**
      * Sets the state of the agent's port [port]; [reason] is for the log.
      *
-     * @param isHeld returns true if the port is still the agent's; if not, no state is set, so [clear] has the last word on a given-up port
+     * @param isHeld returns true if the port is still the agent's; if not, no state is set, so a port that [clear] has removed stays
+     * removed
      */
     fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {

@@ -17,8 +17,9 @@ import kotlin.concurrent.withLock
  * The ports that one agent holds open, and the ports in use.
  *
  * Links stay open until [closeAll], since opening a port resets most boards. When the device of a lost port returns, the port is opened
- * again with its options; until then every call on it fails. Opening and closing may block. So a sequential executor does them for the
- * agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by several threads.
+ * again with its options; while the device is missing, every call on the port fails. Opening and closing may block. So a sequential
+ * executor does them for the agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by
+ * several threads.
  *
  * @param owner the agent's name, for the message to a second agent on a port
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
@@ -52,7 +53,7 @@ internal class Ports(
 
     private val choices = AtomicInteger()
 
-    /** Counts the calls that choose ports or close them. */
+    /** The number of calls so far that choose or close ports. */
     val choicesSoFar: Int get() = choices.get()
 
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
@@ -62,19 +63,19 @@ internal class Ports(
      *
      * @param term the port as the agent calls it
      * @param options the options of the port; null: the options that the agent gave last
-     * @param outcome called once by another thread, with null or with the reason why the port in use has not changed; not called if the
+     * @param outcome called once by another thread: with null, or with the reason why the port in use has not changed. Not called if the
      * agent is being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
     /**
-     * Puts the ports [wanted] in use, in their order; opens them at once if necessary. Each is in use as soon as it is open. Other ports
-     * leave use when the first wanted port is in use. If a port in use is wanted but cannot be opened, it stays in use, and the search for
-     * it goes on.
+     * Puts the ports [wanted] in use, in their order; opens those that are closed, all at once. Each port is in use as soon as it is open.
+     * Other ports leave use when the first wanted port is in use. If a port in use is wanted but cannot be opened, it stays in use, and the
+     * search for it goes on.
      *
-     * @param outcome called once by another thread when all are open or have failed, with null or with the reason why some are not open;
-     * not called if the agent is being stopped
+     * @param outcome called once by another thread when all are open or have failed: with null, or with the reason why some are not open.
+     * Not called if the agent is being stopped
      */
     fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
 
@@ -112,7 +113,7 @@ internal class Ports(
         )
     }
 
-    /** Opens [wanted] and puts it in use by [use], called with [choosing] held. Returns the reason if the port cannot be opened. */
+    /** Opens [wanted] and puts it in use by calling [use], while [choosing] is held. Returns the reason if the port cannot be opened. */
     private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(wanted.name)
@@ -139,7 +140,10 @@ internal class Ports(
         }
     }
 
-    /** Opens a port with the options of [wanted] in place of [held]. If that fails, opens it again like [held]. */
+    /**
+     * Opens a port with the options of [wanted] in place of [held]. If the port cannot be opened so, opens it again with the options of
+     * [held].
+     */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
         if (held == null) return openNew(key, name, wanted, mapOf(term to name))
         forget(held)
@@ -182,7 +186,7 @@ internal class Ports(
         return port
     }
 
-    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up those that were lost first. */
+    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up those that were lost earliest. */
     private fun noteReturn(port: OpenPort, term: Term, name: String) {
         port.addName(term, name)
         lost.removeOthers(term, port)
@@ -201,8 +205,8 @@ internal class Ports(
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
     /**
-     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews] returns false,
-     * called with the lock held.
+     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews] returns false;
+     * calls it with the lock held.
      */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
@@ -231,7 +235,7 @@ internal class Ports(
         noteReturn(port, found.term, found.name)
     }
 
-    /** Puts [port] in place of the [old] ports in use; called with [choosing] held. */
+    /** Puts [port] in use in place of the [old] ports; called with [choosing] held. */
     private fun replaceInUse(port: OpenPort, old: (PortInUse) -> Boolean) {
         if (inUse.none(old)) return
         inUse = inUse.map { if (old(it)) it.copy(port = port) else it }
@@ -244,7 +248,7 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports, on another thread, which then calls [closed]. Afterwards no port is in use, none is searched for, and no belief
+     * Closes all ports on another thread, which finally calls [closed]. Afterwards no port is in use, none is searched for, and no belief
      * about a port remains.
      */
     fun closeAll(closed: () -> Unit) = inTurn {
@@ -265,7 +269,7 @@ internal class Ports(
             states.clear()
             user.portInUseChanged()
             lock.withLock {
-                lost.clear() // a port may have been lost since the call above
+                lost.clear() // a port may have been lost after the call above
                 open.values.toList().also { open.clear() }
             }
         }
@@ -275,14 +279,14 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports for good, those that are being opened too. Another agent that asks for one of them waits until it is closed.
-     * Idempotent.
+     * Closes all ports for good, including those that are being opened. If another agent asks for one of them, it waits until the port is
+     * closed. Idempotent.
      */
     fun stop() {
         lock.withLock {
             if (stopped) return
             stopped = true
-            open.values.forEach { it.link.leave() } // another agent may ask for them at once
+            open.values.forEach { it.link.leave() } // another agent may ask for these ports at once
             openings.interrupt()
             opener.clear()
             opener.execute(::closeNow)

@@ -26,12 +26,12 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
     val plans = ExchangedPlans(before, program.plans) { it.sourceFile in files }
     val shortened = program.without(plans.kept)
     val (read, beliefs) = readParts(shortened.files)
-    check(read.size == program.plans.size - shortened.without.size) { "Jason reads other plans from parts of the program than from all" }
+    check(read.size == program.plans.size - shortened.without.size) { "Jason reads other plans from parts than from the whole; restart it" }
     read.fileless(order.files.first().address, ag.aslSrc)
     val now = plans.now(shortened.without, read)
     try {
         if (now != before) library.replaceBy(now)
-    } catch (refused: JasonException) { // such as a label that a plan has which was added at run time
+    } catch (refused: JasonException) { // such as a label that is taken by a plan added at run time
         library.replaceBy(before)
         throw OrderRefusedException(refused.message.orEmpty())
     }
@@ -40,7 +40,7 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
     return Outcome(null, listOf(plans.told()) + rules.exchange())
 }
 
-/** Has the agent read the program in [files]. Returns its plans, and its initial beliefs and rules. */
+/** Lets the agent read the program in [files]. Returns its plans, and its initial beliefs and rules. */
 private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan>, List<Literal>> {
     val beliefs = ArrayList<Literal>()
     val plans = Plans.readInto(ag) {
@@ -56,8 +56,8 @@ private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan
 }
 
 /**
- * Notes that the plans without a file stand in the program at [address]. Jason does not note that for plans that its patterns make, or notes
- * [source], the agent's `aslSrc`.
+ * Notes that the plans without a file stand in the program at [address]. Jason does not note an address for plans that its patterns make,
+ * or it notes [source], the agent's `aslSrc`.
  */
 internal fun List<Plan>.fileless(address: String, source: String) =
     filter { it.sourceFile.isEmpty() || it.sourceFile == source }.forEach { it.sourceFile = address }
@@ -74,7 +74,7 @@ private fun ruleOf(belief: Literal): Rule? = when {
  *
  * @param before all plans of the agent
  * @param drafted the plans of the new program
- * @param isOfProgram returns true for those of its plans that the program had
+ * @param isOfProgram returns true for those plans in [before] that came from the program
  */
 private class ExchangedPlans(private val before: List<Plan>, private val drafted: List<Plan>, private val isOfProgram: (Plan) -> Boolean) {
     private val left = before.filter(isOfProgram).groupByTo(HashMap(), ::keyOf)
@@ -87,12 +87,12 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
 
     private val isNew = drafted.size - like.size
 
-    /** Those of [drafted] that the agent has already. */
+    /** The plans in [drafted] that the agent has already. */
     val kept: Set<Plan> get() = like.keys
 
     /**
-     * Returns all plans of the agent, in their order: the program's stand where its first one stood. The agent has [read] anew all of
-     * [drafted] but those in [without].
+     * Returns all plans of the agent in their order; the plans of the program stand where its first plan stood. The agent has [read] anew
+     * all plans in [drafted] except those in [without].
      */
     fun now(without: Set<Plan>, read: List<Plan>): List<Plan> {
         val others = read.iterator()
@@ -101,7 +101,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
         return first + program + before.drop(first.size).filterNot(isOfProgram)
     }
 
-    /** Returns the plan that is like [plan], and takes the places of its steps from that; null: there is none. */
+    /** Returns the agent's plan that is like [plan], with the places of its steps taken from [plan]; null: there is none. */
     private fun takeLike(plan: Plan): Plan? {
         val candidates = left[keyOf(plan)] ?: return null
         val found = candidates.indexOfFirst { it.sourceFile == plan.sourceFile && isLike(it, plan) }
@@ -129,11 +129,9 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
     private fun plans(count: Int) = if (count == 1) "1 plan" else "$count plans"
 }
 
-/**
- * The rules of a program in [beliefs], and those [read] from its new text. Rules of a predicate are exchanged together.
- */
+/** The rules of a program in [beliefs], and the rules [read] from the program's new text. Rules of a predicate are exchanged together. */
 private class ExchangedRules(private val beliefs: BeliefBase, private val read: List<Rule>, private val isOfProgram: (Rule) -> Boolean) {
-    /** Exchanges the rules that differ. Returns a line for a person, if there are any. */
+    /** Exchanges the rules that differ. Returns a line for a person if any rules differ. */
     fun exchange(): List<String> {
         val before = beliefs.asSequence().filterIsInstance<Rule>().filter(isOfProgram).groupBy { it.predicateIndicator }
         val now = read.groupBy { it.predicateIndicator }

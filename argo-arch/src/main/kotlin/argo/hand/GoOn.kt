@@ -18,7 +18,7 @@ internal fun TransitionSystem.resume(beliefs: List<String>): Outcome {
     return Outcome(null, told)
 }
 
-/** Begins what an earlier run has begun, see [Order.BeginAnew]. */
+/** Begins again what an earlier run had begun, see [Order.BeginAnew]. */
 internal fun TransitionSystem.beginAnew(events: List<String>): Outcome {
     val (fitting, others) = events.partition { !it.startsWith("!") || hasPlan(read(it.drop(1))) }
     fitting.forEach { beginAnew(this, it, read(it.drop(1))) }

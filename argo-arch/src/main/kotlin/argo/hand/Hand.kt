@@ -23,15 +23,15 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
     fun isEmpty(): Boolean = given.isEmpty()
 
     /**
-     * Leaves [order] for the agent's next cycle. Then the agent's thread calls [done] once. Any thread.
-     * @param program what has been read from the files of a reload; null: the agent's thread reads them
+     * Keeps [order] for the agent's next cycle. The agent's thread then calls [done] once. Any thread.
+     * @param program the program that was read from the files of a reload; null: the agent's thread reads the files
      */
     fun give(order: Order, program: ProgramText? = null, done: (Outcome) -> Unit) = given.put(Given(order, program, done))
 
     /** Takes the orders that wait, in their order. For the agent's thread, like [carryOut]. */
     fun takeAll(): List<Order> = given.takeAll().also { taken += it }.map { it.order }
 
-    /** Has the agent of [ts] carry [order] out, and tells its outcome to the person who gave it: nobody, if a replay gives it. */
+    /** Lets the agent of [ts] carry [order] out, and tells the outcome to the person who gave it; in a replay there is no such person. */
     fun carryOut(order: Order, ts: TransitionSystem) {
         val given = taken.find { it.order === order }?.also(taken::remove)
         val outcome = attempt(order) { outcomeOf(order, given?.program, ts) }
@@ -48,7 +48,7 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
         is Order.BeginAnew -> ts.beginAnew(order.events)
     }
 
-    /** Does [work] for [order]; what it throws becomes the outcome, so that the agent goes on. */
+    /** Does [work] for [order]; an exception of the work becomes the outcome, so the agent goes on. */
     fun attempt(order: Order, work: () -> Outcome): Outcome = try {
         work()
     } catch (refused: OrderRefusedException) {

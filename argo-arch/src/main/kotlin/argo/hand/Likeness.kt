@@ -15,12 +15,12 @@ import jason.asSyntax.UnnamedVar
 import jason.asSyntax.VarTerm
 
 /**
- * Compares a part of a program with the same part of a newer text. Both are alike if only places, the numbers of unnamed variables and
- * labels given by Jason differ. For one pair of parts.
+ * Compares a part of a program with the same part of a newer text. Both are alike if they differ only in places, in numbers of unnamed
+ * variables, and in labels given by Jason. An object compares only one pair of parts.
  */
 internal class Likeness {
     private val parts = ArrayList<Pair<DefaultTerm, DefaultTerm>>()
-    private val there = HashMap<String, String>() // an unnamed variable of the first part, and that of the second
+    private val there = HashMap<String, String>() // an unnamed variable of the first part, and the corresponding one of the second part
     private val back = HashMap<String, String>()
 
     fun isAlike(one: Plan, other: Plan): Boolean = pair(one, other) && isAlikeLabel(one.label, other.label) &&
@@ -45,7 +45,7 @@ internal class Likeness {
 
     private fun isJasons(label: Pred) = LABEL.matches(label.functor)
 
-    /** Returns the annotations of [label] that the program has; Jason adds the others. */
+    /** Returns those annotations of [label] that stand in the program; Jason adds others. */
     private fun ownAnnotations(label: Pred) =
         if (label.hasAnnot()) label.annots.filterNot { it is Literal && it.functor in ADDED } else emptyList()
 

@@ -18,8 +18,9 @@ import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
 /**
- * Has the agent [into] read a program as Jason reads one at the agent's beginning, but with the included files that [find] returns: the one
- * called `name` in the file at `within`, or in the program itself if that is empty. For the agent's thread, or the only thread of the agent.
+ * Lets the agent [into] read a program as Jason reads one at the agent's beginning, but with the included files that [find] returns. [find]
+ * gets the name of a file and the address of the including file, which is empty for the program itself. For the agent's thread, or the only
+ * thread of the agent.
  *
  * @param around called around the reading of each part of a file: a plan, a belief, a goal or a directive
  */
@@ -65,7 +66,7 @@ internal class ProgramReading(
             refuse(file, unreadableAt(unreadable))
         } catch (unreadable: TokenMgrError) {
             refuse(file, unreadable.message.orEmpty().trim())
-        } catch (unreadable: JasonException) { // two plans with one label
+        } catch (unreadable: JasonException) { // two plans have one label
             refuse(file, unreadable.message.orEmpty())
         }
     }
@@ -90,7 +91,7 @@ internal data class Place(val line: Int, val column: Int) : Comparable<Place> {
 /** The distance of the stops to which Jason's parser counts a tab. */
 private val TAB = as2jTokenManager(SimpleCharStream(StringReader("\ta"))).nextToken.beginColumn - 1
 
-/** Returns this text with blanks in place of the characters of [parts], which do not overlap. */
+/** Returns this text with the characters of [parts] replaced by blanks; the parts do not overlap. */
 internal fun String.without(parts: List<ProgramPart>): String {
     if (parts.isEmpty()) return this
     val text = StringBuilder(this)

@@ -33,8 +33,8 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
         }
 
         /**
-         * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
-         * [outer] is the address of the including file; null: the agent's program, at its beginning.
+         * Reads the file that a program includes as [name], and finds the file as Jason does; null: there is no such file, and Jason goes
+         * on without it. [outer] is the address of the including file; null: the agent's program, at its beginning.
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)
@@ -45,7 +45,7 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
             }
         }
 
-        /** Returns the paths on this computer's disks at which [included] looks for a file. */
+        /** Returns the paths on this computer's disks at which [included] looks for the file. */
         internal fun placesOf(name: String, outer: String?, sourcePath: SourcePath): List<Path> =
             (listOf(name) + pathsOf(outer, sourcePath).paths.map { "$it/$name" }).mapNotNull(::pathOf).distinct()
 
@@ -68,7 +68,7 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
             when {
                 address.startsWith("file:/") -> Path.of(URI(address))
                 address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further left
+                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further to the left
                 else -> Path.of(address)
             }?.toAbsolutePath()?.normalize()
         } catch (_: URISyntaxException) {

@@ -16,10 +16,10 @@ import java.util.Collections
 import java.util.IdentityHashMap
 
 /**
- * A program that Jason can read, and what it has read. No agent runs it.
+ * A program that Jason can read, and its parts. No agent runs it.
  *
- * @property files the program, and behind it each file that it includes, in the order of their reading
- * @property paths the paths of those [files] that are on this computer's disks
+ * @property files the program, followed by each file that it includes, in the order of their reading
+ * @property paths the paths of the [files] that are on this computer's disks
  * @param draft the agent that has read it
  */
 internal class ProgramText private constructor(
@@ -28,7 +28,7 @@ internal class ProgramText private constructor(
     draft: Agent,
     private val parts: List<Part>,
 ) {
-    /** A [part] of [file], with its [plans]. If [isOther], it has or does something else, such as a rule. */
+    /** A [part] of [file], with its [plans]. If [isOther], it also has or does something other than plans, such as a rule. */
     private class Part(val file: ProgramFile, val part: ProgramPart, val plans: List<Plan>, val isOther: Boolean)
 
     val plans: List<Plan> = Plans.of(draft).all.toList()
@@ -41,10 +41,10 @@ internal class ProgramText private constructor(
 
     val addresses: Set<String> get() = files.mapTo(LinkedHashSet()) { it.address }
 
-    /** The [files] with blanks in place of parts, and the plans of these parts. */
+    /** The [files] with blanks in place of some parts, and the plans of these parts. */
     class Shortened(val files: List<ProgramFile>, val without: Set<Plan>)
 
-    /** Returns the program without the parts that have only plans of [kept], beliefs and goals. */
+    /** Returns the program without the beliefs, the goals, and the parts that have only plans of [kept]. */
     fun without(kept: Set<Plan>): Shortened {
         val once = files.groupBy { it.within to it.name }.values.mapNotNull { it.singleOrNull() }
         val dropped = parts.filter { !it.isOther && it.plans.all(kept::contains) && once.any { file -> file === it.file } }
@@ -54,7 +54,7 @@ internal class ProgramText private constructor(
         return Shortened(shortened, without)
     }
 
-    /** Has a new agent read a program, and notes the parts of its files. */
+    /** Lets a new agent read a program, and notes the parts of the program's files. */
     private class Drafting(private val find: (within: String, name: String) -> ProgramFile) {
         private val draft = Agent().apply { initAg() }
         private val parts = ArrayList<Part>()
@@ -62,10 +62,10 @@ internal class ProgramText private constructor(
         fun read(main: ProgramFile): Pair<Agent, List<Part>> = try {
             ProgramReading(draft, find, ::note).read(main)
             draft to parts
-        } catch (broken: RuntimeException) { // such as of a directive that there is not
+        } catch (broken: RuntimeException) { // such as a directive that does not exist
             throw OrderRefusedException("${main.shortName}: Jason cannot read it: $broken")
         } finally {
-            draft.stopAg() // so that Jason's inspector does not show it
+            draft.stopAg() // so that Jason's inspector does not show the agent
         }
 
         private fun note(file: ProgramFile, agent: Agent, read: () -> ProgramPart) {
@@ -80,9 +80,9 @@ internal class ProgramText private constructor(
 
     companion object {
         /**
-         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes, found as Jason finds them. Any thread.
-         * @param looksAt called with each path on this computer's disks that is read, or at which an included file is missing
-         * @throws OrderRefusedException if a file is missing, or Jason cannot read it, or could not exchange it
+         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes. Finds these files as Jason does. Any thread.
+         * @param looksAt called with each path on this computer's disks at which a file is read, or an included file is missing
+         * @throws OrderRefusedException if a file is missing, or if Jason cannot read or could not exchange it
          */
         fun read(address: String, looksAt: (Path) -> Unit): ProgramText {
             val sources = ArrayList<ProgramSource>()

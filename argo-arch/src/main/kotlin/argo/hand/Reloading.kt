@@ -19,10 +19,10 @@ import java.util.ServiceConfigurationError
 
 /**
  * Reads the program of the agent of [ts] and its filters anew while it runs. Make it when Jason has read the program, before the agent's
- * first cycle. Files are read, and programs tried, on the calling thread; the agent exchanges what has changed between two of its cycles.
+ * first cycle. The calling thread reads files and tries programs; the agent exchanges the changed parts between two of its cycles.
  *
  * @param hand takes the orders to the agent
- * @param perceiveThrough has the agent perceive all its boards and its environment through a filter
+ * @param perceiveThrough lets the agent perceive all its boards and its environment through a filter
  */
 internal class Reloading(
     private val ts: TransitionSystem,
@@ -30,7 +30,7 @@ internal class Reloading(
     private val hand: Hand,
     private val perceiveThrough: (PerceptionFilter?) -> Unit,
 ) {
-    /** The program that the agent has: what a newer text is compared with. */
+    /** The program that the agent has now, for comparison with a newer text. */
     private class Known(val addresses: Set<String>, val stated: Map<Offer, Set<String>>)
 
     private val agent get() = ts.ag
@@ -41,7 +41,7 @@ internal class Reloading(
     @Volatile
     private var paths: List<Path>? = null
 
-    /** The paths of the last reading, which may have been refused. */
+    /** The paths of the last reading, even if the program was refused. */
     @Volatile
     private var looked: List<Path> = emptyList()
 
@@ -58,8 +58,8 @@ internal class Reloading(
     }
 
     /**
-     * Returns the files on disk that [reload] reads, and after a refusal also those that it has read or missed then. Empty: the program and
-     * its filters are somewhere else, or cannot be read.
+     * Returns the files on disk that [reload] reads; after a refusal, also the files that the refused reading has read or missed. Empty:
+     * the program and its filters are not on a disk, or cannot be read.
      */
     fun sources(): List<Path> {
         val program = paths ?: try {
@@ -71,8 +71,8 @@ internal class Reloading(
     }
 
     /**
-     * Reads the program and the active filters, and has the agent exchange what has changed. Then calls [done] once: on the calling thread
-     * if the program cannot be read, else on the agent's thread.
+     * Reads the program and the active filters, and lets the agent exchange the changed parts. Calls [done] once at the end: on the calling
+     * thread if the program cannot be read, else on the agent's thread.
      *
      * @param takes the parts of the program that the agent also believes or begins if they are new
      */
@@ -110,7 +110,7 @@ internal class Reloading(
 
     private fun gone(filter: String) = "the filter $filter is not found any more; the agent keeps it as it was"
 
-    /** Reads the filter that has the name of [filter]; null: it is not found any more. */
+    /** Reads the filter again that has the name of [filter]; null: it is no longer found. */
     private fun anew(filter: PerceptionFilter): PerceptionFilter? = try {
         filterOf(agent, filter.name)
     } catch (_: FilterNotFoundException) {
@@ -123,7 +123,7 @@ internal class Reloading(
         throw OrderRefusedException("the filter ${filter.name} cannot be read: $unreadable")
     }
 
-    /** Does what belongs to an exchange of the program, on the agent's thread. Returns lines for a person. */
+    /** Does the work that belongs to an exchange of the program, on the agent's thread. Returns lines for a person. */
     private fun exchanged(program: ProgramText, filters: Map<PerceptionFilter, PerceptionFilter>, takes: Set<Offer>): List<String> {
         paths = program.paths
         val new = Offer.entries.associateWith { offer -> offer.of(program).filter { isNew(offer, it) } }
@@ -146,12 +146,12 @@ internal class Reloading(
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Tells of [literals], which are new in the program. They stay new until they are taken. */
+    /** Reports [literals], which are new in the program. They stay new until the agent takes them. */
     private fun offered(offer: Offer, literals: List<Literal>) =
         "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
             "(argo.reload([${offer.word}]) takes them)"
 
-    /** Has the agent believe or begin [literals] in its next cycle. Those that it refuses stay new. */
+    /** Lets the agent believe or begin [literals] in its next cycle. Literals that the agent refuses stay new. */
     private fun take(offer: Offer, literals: List<Literal>): String {
         literals.forEach { literal ->
             hand.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
@@ -176,10 +176,10 @@ internal class Reloading(
 /**
  * A part of a program that Jason gives an agent only at its beginning. A reload offers new ones.
  *
- * @property word the option of `argo.reload`
- * @property taken what the agent has done with it
+ * @property word the word for it in the option of `argo.reload`
+ * @property taken what the agent has done with such a part, in a word for a person
  * @property of returns it
- * @property order makes the order that has an agent take a literal of it
+ * @property order makes the order by which an agent takes a literal of this kind
  */
 internal enum class Offer(val word: String, val taken: String, val of: (ProgramText) -> List<Literal>, val order: (String) -> Order) {
     BELIEFS("beliefs", "believed", ProgramText::beliefs, Order::Believe),

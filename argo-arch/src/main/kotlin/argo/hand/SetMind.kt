@@ -33,7 +33,7 @@ internal fun TransitionSystem.believe(text: String): Outcome {
     return if (ag.addBel(belief)) Outcome(null) else Outcome(null, listOf("the agent believed $belief already"))
 }
 
-/** Does what `-+belief` does before it adds: forgets one belief with other arguments. */
+/** Does the first half of `-+belief`: forgets one belief that differs only in its arguments. */
 private fun TransitionSystem.forgetOthers(belief: Literal) {
     val any = belief.copy().apply { makeTermsAnnon() }
     ag.delBel(any)
@@ -52,7 +52,7 @@ internal fun TransitionSystem.forget(text: String): Outcome {
     return Outcome(null, if (lost.size > 1) listOf("the agent has forgotten ${lost.size} beliefs") else emptyList())
 }
 
-/** Keeps only the sources of this belief that [pattern] names. */
+/** Keeps only those sources of this belief that [pattern] names. */
 private fun Literal.onlyOf(pattern: Literal) = apply { sources.filterNot(pattern::hasSource).forEach(::delSource) }
 
 /** Begins a goal, see [Order.Begin]. */
@@ -101,7 +101,7 @@ private fun TransitionSystem.literal(text: String, what: String): Literal {
     return literal.forceFullLiteralImpl()
 }
 
-/** Has Jason read a literal of the agent, which may have the agent's own functions. */
+/** Lets Jason read a literal of the agent, which may use the agent's own functions. */
 private fun TransitionSystem.parsed(text: String): Literal {
     val parser = as2j(StringReader(text))
     parser.setAg(ag)

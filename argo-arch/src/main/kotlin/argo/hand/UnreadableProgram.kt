@@ -3,7 +3,7 @@ package argo.hand
 import jason.asSyntax.parser.ParseException
 
 /**
- * Returns the place at which Jason cannot read a program, with the text there. The message of [unreadable] instead lists all tokens that
+ * Returns the place at which Jason cannot read a program, with the text there. The message of [unreadable] itself lists all tokens that
  * Jason would have accepted, some forty.
  */
 fun unreadableAt(unreadable: ParseException): String {

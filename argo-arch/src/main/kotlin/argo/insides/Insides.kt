@@ -30,10 +30,10 @@ import java.util.concurrent.atomic.AtomicInteger
 object Insides {
     private val found = ArrayList<Inside<*>>()
 
-    /** Jason gives access to the scheduler of `.wait` and `.at`, but nobody can replace it. */
+    /** Jason lets others use the scheduler of `.wait` and `.at`, but not replace it. */
     val scheduler: Inside<ScheduledExecutorService> = of(Agent::class.java, "scheduler")
 
-    /** `setIA` sets one action of a known name; a term made from a text may ask for any name. */
+    /** `setIA` sets one action of a known name, but a term made from a text may ask for any name. */
     val actions: Inside<Map<String, InternalAction>> = of(Agent::class.java, "internalActions")
 
     /** `addFunction` refuses a name that exists already, such as `math.random`. */
@@ -45,20 +45,23 @@ object Insides {
     /** `registerDirective` does not replace a used directive, and would make a new `include` without the source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
+    /** `getDirective` logs an error for a name that is none. */
+    val directiveClasses: Inside<Map<String, Class<*>>> = of(DirectiveProcessor::class.java, "directives")
+
     /** If another thread leaves work, `runAtBeginOfNextCycle` notifies nobody. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 
     /** The cycles since the agent last perceived (`nrcbp`): Jason counts them without publishing the number. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** True if Jason has notified the agent that it falls asleep; no public member shows that. */
+    /** True if Jason has notified the agent that it falls asleep; no public member shows this. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
     /** Jason tells nobody which of its rules comes next. */
     val nextDeliberating: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepDeliberate")
     val nextActing: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepAct")
 
-    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes such objects only by reasoning
+    // Events and intentions of an agent whose replay begins in the middle of its life: Jason makes such objects only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
@@ -98,8 +101,8 @@ object Insides {
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }
 
     /**
-     * Returns true if the agent of [ts] has deliberated and has chosen no intention yet in this cycle. Only for its thread, between two
-     * rules of its cycle.
+     * Returns true if the agent of [ts] has deliberated, but has chosen no intention yet in this cycle. Only for the agent's thread,
+     * between two rules of its cycle.
      */
     fun isBeforeIntention(ts: TransitionSystem): Boolean =
         nextActing[ts] == TransitionSystem.State.SelInt && nextDeliberating[ts] == TransitionSystem.State.ProcAct

@@ -17,8 +17,8 @@ interface Includes {
 }
 
 /**
- * Replaces Jason's directive `include`, which the action `.include` calls too. Asks the calling thread's [current] handler; without one,
- * Jason's own directive does the work.
+ * Replaces Jason's directive `include`, which the action `.include` calls too. Asks the calling thread's [current] handler; if there is
+ * none, Jason's own directive does the work.
  */
 class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
@@ -35,7 +35,10 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         private const val NAME = "include"
         private val CURRENT = ThreadLocal<Includes?>()
 
-        /** The handler of the files that the calling thread includes; null: Jason includes them itself. */
+        /**
+         * The handler of the files that the calling thread includes; null: Jason includes them
+         * itself.
+         */
         var current: Includes?
             get() = CURRENT.get()
             set(includes) = if (includes == null) CURRENT.remove() else CURRENT.set(includes)
@@ -60,7 +63,7 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
-         * Returns the name, in a recording, of the file from which [outer] is read. The name is empty for the agent's program and its
+         * Returns the name that a recording has for the file from which [outer] is read. The name is empty for the agent's program and its
          * blocks, `.` for the running agent [ag], and otherwise the address of the included file.
          */
         fun placeOf(outer: Agent, ag: Agent?): String = when {

@@ -15,8 +15,8 @@ import java.util.concurrent.CompletableFuture
  * An open port through which one agent exchanges messages with a board: a line that carries bytes ([JavinoLink]), or the link of a
  * [BoardLinkProvider].
  *
- * Safe for use by several threads. If the far end has gone or the link is closed, every call but [close] and [wants] promptly fails with
- * [PortGoneException], even one that waits. Only [listen], [request], [perceptKinds], [check], [watch], [writeCommandsUntilClosed] and
+ * Safe for use by several threads. If the far end has gone or the link is closed, every call except [close] and [wants] promptly fails with
+ * [PortGoneException], even a call that waits. Only [listen], [request], [perceptKinds], [check], [watch], [writeCommandsUntilClosed] and
  * [sendAndAwait] may wait.
  */
 interface BoardLink : AutoCloseable {
@@ -38,7 +38,7 @@ interface BoardLink : AutoCloseable {
     /** True if the board can be asked for some percepts, as `getPercepts(dist)`. */
     val canSelect: Boolean get() = false
 
-    /** True if the far end may vanish unnoticed. Such a link is worth opening anew after a long silence. */
+    /** True if the far end may vanish unnoticed. Such a link is worth reopening after a long silence. */
     val mayVanish: Boolean get() = false
 
     /** The actions that the board has registered; null: they are not known. Does not wait. */
@@ -78,13 +78,13 @@ interface BoardLink : AutoCloseable {
     fun watch(timeoutMs: Int) = check()
 
     /**
-     * Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most. Empty: the board describes none.
+     * Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most. Returns an empty list if the board describes none.
      * @throws PortTimeoutException if no answer came
      */
     @Throws(PortException::class)
     fun perceptKinds(timeoutMs: Int): List<PerceptKind> = emptyList()
 
-    /** Returns true if the outcome of the command [text] brings an [Answer]. */
+    /** Returns true if the command [text] has an [Answer] as its outcome. */
     fun answers(text: String): Boolean = false
 
     /** Sends [text] as a command without waiting. */
@@ -93,7 +93,7 @@ interface BoardLink : AutoCloseable {
     /** Sends a command that changes the board's critical rules, without waiting. Only for boards that have reported room for rules. */
     fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
-    /** Sends [text] as a command and waits for its outcome. Returns the answer; null: the far end gives none to such commands. */
+    /** Sends [text] as a command and waits for its outcome. Returns the answer; null: the far end does not answer such commands. */
     @Throws(PortException::class)
     fun sendAndAwait(text: String, options: SendOptions): Answer?
 
@@ -127,9 +127,9 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  *
  * @property text the message's percepts, each with its `;`
  * @property receivedNanos the arrival time of the message's end, by the platform's clock
- * @property seenNanos the times at which percepts older than the message were true, by the same clock
- * @property event the percept in [text] that the agent perceives in its turn, even if newer messages have come; empty: none, between two
- * equal ones; null: the message has no such percept
+ * @property seenNanos by percept older than the message, the time at which it was true, by the same clock
+ * @property event the percept in [text] that the agent perceives in its turn, even if newer messages have come; empty: no percept, but the
+ * gap between two equal ones; null: the message has no such percept
  */
 class BoardMessage(
     val text: String,
@@ -143,7 +143,7 @@ class BoardMessage(
  *
  * @property outcome the outcome of the command: an [Answer], if the far end [answers][BoardLink.answers] such commands
  * @property left the end of the command's way to the board; completes no later than [outcome]. The agent gets no new snapshot before that
- * end. If the outcome takes long, as for a robot's journey, this is a future of its own
+ * end. If the outcome takes long, as that of a robot's journey does, this is a separate future
  * @property giveUp ends the command early, without waiting: withdraws it, or tells the far end to stop; null: neither is possible
  */
 class SentCommand(
@@ -156,7 +156,7 @@ class SentCommand(
  * The answer of a board to a command. Immutable.
  *
  * @property text the text of a term; null: there is none
- * @property why the reason why there is none, in words; null: there is one
+ * @property why the reason why there is no text, in words; null: there is one
  */
 class Answer private constructor(val text: String?, val why: String?) {
     companion object {

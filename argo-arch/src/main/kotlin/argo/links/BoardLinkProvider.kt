@@ -18,7 +18,10 @@ interface BoardLinkProvider {
     /** The scheme of the provider's ports, without the colon, such as `ros`. */
     val scheme: String
 
-    /** Returns true if [port] is the provider's: by its [scheme], which must not be a transport's scheme unless this tells them apart. */
+    /**
+     * Returns true if [port] is the provider's, judged by its [scheme]. The scheme must not be a transport's, unless this function tells
+     * the two apart.
+     */
     fun opens(port: String): Boolean = port.startsWith("$scheme:")
 
     /**
@@ -32,11 +35,11 @@ interface BoardLinkProvider {
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
 
     /**
-     * Opens a board [port] that a test plays; null: a test cannot play boards of this scheme.
+     * Opens the board at [port], with a test in the board's place; null: no test can play boards of this scheme.
      *
      * @param recording a file with the board's messages, which come at their times; null: only [PlayedBoard.says] sends messages
      * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
-     * @throws PortException like [open], except for failed connections: none is made
+     * @throws PortException like [open], but never for a failed connection: no connection is made
      */
     @Throws(PortException::class)
     fun play(
@@ -75,6 +78,6 @@ abstract class PlayedBoard(val link: BoardLink) {
      */
     abstract fun says(name: String, message: String)
 
-    /** Ends the connection from the far end: [link] fails from now on. */
+    /** Ends the connection from the far end: afterwards [link] fails. */
     abstract fun goes()
 }

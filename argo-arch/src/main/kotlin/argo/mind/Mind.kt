@@ -16,11 +16,11 @@ import jason.bb.BeliefBase
  * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak, without percepts, rules and plans: these come from the
  * world and from the program.
  *
- * @property events the events with which its intentions have begun, and those that wait: `!goal`, or `+belief` of a belief that is no
- * percept. Events of percepts come anew with the percepts
+ * @property events the events that have begun its intentions, and the events that wait: `!goal`, or `+belief` for a belief that is no
+ * percept. Events of percepts are not included: they come anew with the percepts
  */
 data class Mind(val beliefs: List<String>, val events: List<String>) {
-    /** The mind as a program, a belief or an event on each line: `watches(a,b)[source(self)].`, `!oversee.` */
+    /** The mind as a program, with a belief or an event on each line: `watches(a,b)[source(self)].`, `!oversee.` */
     fun program(): String = (beliefs + events).joinToString("\n") { "$it." }
 
     companion object {
@@ -28,7 +28,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
          * Returns the mind of the agent of [ts]. Called by its thread.
          *
          * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason why there is none
-         * @param leftOut gets each belief or event without a text of one line, with the reason
+         * @param leftOut takes each belief or event that has no text of one line, with the reason
          */
         fun of(ts: TransitionSystem, write: (Literal) -> String, leftOut: (String) -> Unit): Mind {
             fun text(literal: Literal): String? = try {
@@ -46,7 +46,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
         /** Returns the mind that [Mind.program] wrote as [program]. */
         fun ofProgram(program: String): Mind = of(program.lines().filter { it.isNotBlank() }.map { it.trim().removeSuffix(".") })
 
-        /** Returns the mind with these [facts]: beliefs and events. */
+        /** Returns the mind with the beliefs and events in [facts]. */
         fun of(facts: List<String>): Mind = facts.partition { it.first() !in "!+" }.let { (beliefs, events) -> Mind(beliefs, events) }
 
         private fun beliefs(ts: TransitionSystem): List<Literal> = ts.ag.bb.filterNot(::isOfProgram).mapNotNull(::withoutPercept)
@@ -56,7 +56,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
             if (!belief.hasSource(BeliefBase.APercept)) belief
             else belief.copy().also { it.delSource(BeliefBase.APercept) }.takeIf { it.hasSource() }
 
-        /** Returns the triggers with which the agent's intentions have begun, with the values of their variables; then waiting ones. */
+        /** Returns the triggers that have begun the agent's intentions, with the values of their variables; then the waiting triggers. */
         private fun triggers(ts: TransitionSystem): List<Trigger> {
             val begun = ts.c.allIntentions.asSequence().mapNotNull { intention ->
                 intention.lastOrNull()?.let { Trigger(it.trigger.operator, it.trigger.type, it.trigger.literal.capply(it.unif) as Literal) }
@@ -71,14 +71,14 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
     }
 }
 
-/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind takes the place of another. */
+/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind replaces another one. */
 private fun isOfProgram(belief: Literal) = belief is Rule || belief.isHidden
 
 /**
- * Has the agent of [ts], which has read its program and has not begun, believe [beliefs] and nothing that its program begins with, except
- * rules. The goals that its program begins with are gone, too. No belief causes an event: the agent knew it before. Called by its thread.
+ * Makes the agent of [ts], which has read its program but has not begun, believe [beliefs]. Of the program only the rules stay. The goals
+ * that the program begins with are gone, too. No belief causes an event, since the agent knew it before. Called by its thread.
  *
- * @param refused gets each belief that the agent's belief base refuses, with the reason
+ * @param refused takes each belief that the agent's belief base refuses, with the reason
  */
 fun replaceMind(ts: TransitionSystem, beliefs: List<Literal>, refused: (String) -> Unit) {
     val bb = ts.ag.bb
@@ -94,14 +94,14 @@ fun replaceMind(ts: TransitionSystem, beliefs: List<Literal>, refused: (String) 
     }
 }
 
-/** Puts [event] of a mind, with its [literal], into the queue of the agent of [ts]. Called by its thread. */
+/** Puts [event] of a mind, with the event's [literal], into the queue of the agent of [ts]. Called by its thread. */
 fun beginAnew(ts: TransitionSystem, event: String, literal: Literal) {
     if (event.startsWith("!")) ts.c.addAchvGoal(literal, Intention.EmptyInt)
     else ts.c.addEvent(Event(Trigger(TEOperator.add, TEType.belief, literal), Intention.EmptyInt))
 }
 
-/** Jason lets an atom in quotes have them; each belief and each event of [Mind.program] has a line. */
+/** Jason allows line ends in a quoted atom, but each belief and each event of [Mind.program] has one line. */
 private const val LINE_BREAKS = "\n\r"
 
-/** Jason's way of saying that a belief goes behind those with the same functor, so that all keep their order. */
+/** In Jason this puts a belief behind those with the same functor, so all beliefs keep their order. */
 private const val AT_END = 1

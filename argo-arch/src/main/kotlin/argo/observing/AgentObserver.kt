@@ -9,11 +9,12 @@ import argo.filters.PerceptionFilter
  *
  * The thread of the event calls each function: the agent's, the sensing thread of a port, or the thread that sends commands. So a function
  * must return at once and be safe for use by several threads. Exceptions are caught: they end neither the agent nor its sensing. The first
- * one of an observer is logged. All functions but [close] do nothing unless they are overridden.
+ * exception of an observer is logged. All functions but [close] do nothing unless they are overridden.
  */
 interface AgentObserver : AutoCloseable {
     /**
-     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when held-back percepts are due.
+     * [message] has passed through the filter. Called again, with the same [PerceivedMessage.receivedNanos], when held-back percepts are
+     * due.
      */
     fun messageFiltered(message: PerceivedMessage) = Unit
 
@@ -37,7 +38,7 @@ interface AgentObserver : AutoCloseable {
      *
      * @param port the agent's term for the port
      * @param status `on`, `off` or `timeout`
-     * @param reason the reason why the port is not on, for a person, if known
+     * @param reason the reason why the port is not on, for a person; null: it is not known
      */
     fun portChanged(port: String, status: String, reason: String?) = Unit
 
@@ -50,7 +51,7 @@ interface AgentObserver : AutoCloseable {
     /** The agent has called `argo.record(Why)`. Returns true if the observer keeps the last events. Called by the agent's thread. */
     fun recordWanted(why: String): Boolean = false
 
-    /** A reasoning cycle is over. Called by the agent's thread: this is the place to read [ObservedAgent.beliefs]. */
+    /** A reasoning cycle is over. Called by the agent's thread, so this is the place to read [ObservedAgent.beliefs]. */
     fun cycleFinished() = Unit
 
     /** The agent ends. Releases all resources without waiting for them; events may still come. May be called twice. */

@@ -3,8 +3,8 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * If the program is ended from outside, as by Ctrl-C, before this is closed, runs [say] on its own thread. The program waits for [say], but
- * no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Safe for use by several threads.
+ * If something outside ends the program before this is closed, as Ctrl-C does, runs [say] on its own thread. The program waits for [say],
+ * but no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Safe for use by several threads.
  */
 class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoCloseable {
     private val atExit = Thread({ thread(isDaemon = true, block = say).join(mostMs) }, "argo-farewell")

@@ -45,10 +45,10 @@ interface ObservedAgent {
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
-    /** Has the agent stand, and go on. */
+    /** Makes the agent stand, and lets it go on. */
     val pausing: Pausing
 
-    /** The computers of the agent's system; empty: it is on one computer. */
+    /** The computers of the agent's system; empty: the system runs on one computer. */
     val computers: List<ObservedComputer> get() = emptyList()
 
     /** Returns the time of the agent's clock in ns. The clock never goes back. */
@@ -59,7 +59,7 @@ interface ObservedAgent {
 
     /**
      * Returns the kinds of percepts that the board on a port describes; empty: it describes none, or they are not known yet. From the first
-     * call on, the board is asked for them once in each session, between two requests.
+     * call on, the board is asked for its kinds once in each session, between two requests.
      *
      * @param portName the name with which the port was opened
      */
@@ -80,27 +80,36 @@ interface ObservedAgent {
     /** Returns the critical rules of the active filter, in its order, each with the side that watches it. */
     fun criticalRules(): List<WatchedRule>
 
-    /** Makes the agent perceive through [filter] in its next cycle, at once if it stands; null: through none. Then its thread calls [done]. */
+    /**
+     * Makes the agent perceive through [filter] in its next cycle, or at once if the agent stands; null: through none. The agent's thread
+     * calls [done] afterwards.
+     */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
-    /** Makes the agent start or stop perceiving in its next cycle, at once if it stands. Then its thread calls [done]. */
+    /**
+     * Makes the agent start or stop perceiving in its next cycle, or at once if the agent stands. The agent's thread calls [done]
+     * afterwards.
+     */
     fun perceive(open: Boolean, done: () -> Unit)
 
     /**
-     * Sends [command], a literal or a string in quotes, in the next cycle, at once if the agent stands, like `argo.act(command)` in a plan. The
-     * thread that learns the outcome calls [done] once: with null, or with the reason why the command was not carried out.
+     * Sends [command], a literal or a string in quotes, like `argo.act(command)` in a plan: in the next cycle, or at once if the agent
+     * stands. The thread that learns the outcome calls [done] once: with null, or with the reason why the command was not carried out.
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
     /** Like the other [act], with the [options] of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
-    /** Has the agent carry [order] out at the beginning of its next cycle. Then its thread calls [done] once, with the outcome. */
+    /**
+     * Makes the agent carry [order] out at the beginning of its next cycle. The agent's thread calls [done] once afterwards, with the
+     * outcome.
+     */
     fun order(order: Order, done: (Outcome) -> Unit)
 
     /**
-     * Reads the agent's program and its active filters anew, on the calling thread, and has the agent exchange what has changed, like
-     * `argo.reload`. Then calls [done] once: on the calling thread if anything cannot be read, else on the agent's thread.
+     * Reads the agent's program and its active filters anew, on the calling thread, and lets the agent exchange the changed parts, like
+     * `argo.reload`. Calls [done] once at the end: on the calling thread if anything cannot be read, else on the agent's thread.
      */
     fun reload(done: (Outcome) -> Unit)
 
@@ -122,7 +131,7 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
  *
  * @property name the agent's term for the port, as a literal: `ttyACM0`, or a string in its quotes
  * @property status `on`, `off` or `timeout`
- * @property isInUse whether this is the port in use, which gets commands that no other board is found for
+ * @property isInUse whether this is the port in use, which gets each command for which no other board is found
  * @property isStale whether the agent believes `stale(P)` about the port
  * @property isPerceived whether the agent perceives the board on the port
  * @property namespace the namespace of its board's percepts; null: the default namespace

@@ -1,28 +1,31 @@
 package argo.observing
 
 /**
- * Has an agent stand between two of its reasoning cycles, and go on. Any thread may call the functions, and none of them waits for the
- * agent.
+ * Makes an agent stand between two of its reasoning cycles, and lets it go on. Any thread may call the functions, and none of them waits
+ * for the agent.
  *
- * The boards of an agent that is to stand are made safe first: each perceived board gets the command of the option `argo_safe`. An agent
- * that stands perceives nothing, takes no mail and carries nothing out but what a person asks of an [ObservedAgent]. The world does not
- * stand: its boards are sensed, reflexes are sent, and the times of commands, `.wait` and `.at` run on. When the agent goes on, it
- * perceives the newest snapshot of each board, and no earlier one.
+ * Before an agent stands, its boards are made safe: each perceived board gets the command of the option `argo_safe`. An agent that stands
+ * perceives nothing, takes no mail, and carries out only what a person asks of an [ObservedAgent]. The world does not stand: its boards are
+ * sensed, reflexes are sent, and the times of commands, `.wait` and `.at` run on. When the agent goes on, it perceives the newest snapshot
+ * of each board, but no earlier snapshots.
  */
 interface Pausing {
-    /** The reason why the agent cannot stand, in words; null: it can. If it cannot, the functions do nothing. */
+    /** The reason why the agent cannot stand, in words; null: it can. If the agent cannot stand, the functions do nothing. */
     val refusal: String?
 
     val state: PauseState
 
-    /** Has the agent stand before its next cycle, or stand on, for [owner] too: see [release]. Without an owner, nobody releases it. */
+    /**
+     * Makes the agent stand before its next cycle, for [owner]; if it stands already, for [owner] too: see [release]. Nobody can release a
+     * stand without an owner.
+     */
     fun pause(owner: Any = this)
 
-    /** Has the agent go on until a breakpoint, or until it is paused. */
+    /** Lets the agent go on until a breakpoint, or until it is paused. */
     fun goOn()
 
     /**
-     * Has the agent go on until [stop], or until an earlier breakpoint. Then it stands for [owner], as after [pause].
+     * Lets the agent go on until [stop], or until an earlier breakpoint. The agent then stands for [owner], as after [pause].
      * @throws IllegalArgumentException if [stop] is about a plan that the agent does not have
      */
     fun goOnUntil(stop: StopAt, owner: Any = this)
@@ -40,14 +43,14 @@ interface Pausing {
     /** Returns the breakpoints of [owner]. */
     fun breakpoints(owner: Any): List<Breakpoint>
 
-    /** Forgets what [owner] has asked for, and its breakpoints. An agent that stands for [owner] only goes on. */
+    /** Forgets the pauses that [owner] has asked for, and its breakpoints. An agent that stands for [owner] and nobody else goes on. */
     fun release(owner: Any)
 
     /** Calls [listener] with each new state, on the thread of the change, until the result is closed. [listener] must not wait. */
     fun follow(listener: (PauseState) -> Unit): AutoCloseable
 
     /**
-     * If the agent stands, has its thread do [look], which only reads beliefs and intentions, before the agent goes on. Returns false, and
+     * If the agent stands, lets its thread do [look], which only reads beliefs and intentions, before the agent goes on. Returns false, and
      * does not call [look], if the agent does not stand.
      */
     fun look(look: () -> Unit): Boolean
@@ -69,13 +72,13 @@ sealed interface StopAt {
 
     /** The plans of an intention whose steps count as next. */
     enum class Way {
-        /** The plan itself and those that wait for it, but not those for its goals. */
+        /** The plan itself and the plans that wait for it, but not the plans for its goals. */
         OVER,
 
         /** All plans. */
         INTO,
 
-        /** Those that wait for the plan. */
+        /** The plans that wait for the plan. */
         OUT,
     }
 }
@@ -83,10 +86,10 @@ sealed interface StopAt {
 /**
  * A breakpoint.
  *
- * @property file the file as its owner names it
+ * @property file the file as the breakpoint's owner names it
  * @property wanted the line that was asked for
- * @property line the line before which the agent stands, [wanted] or one behind it; null: there is none
- * @property refusal the reason why there is none, in words; null: there is one
+ * @property line the line before which the agent stands: [wanted], or a later line; null: there is no such line
+ * @property refusal the reason why there is no such line, in words; null: there is one
  */
 data class Breakpoint(val file: String, val wanted: Int, val line: Int?, val refusal: String?)
 
@@ -94,12 +97,12 @@ data class Breakpoint(val file: String, val wanted: Int, val line: Int?, val ref
 enum class PausePhase { RUNNING, MAKING_SAFE, STANDING }
 
 /**
- * What an agent does as to pauses. Immutable.
+ * Whether an agent runs or stands, and why. Immutable.
  *
  * @property why the reason why the agent stands, in words; null: it does not
- * @property boards what became of the boards, a sentence for each; empty while the agent runs
- * @property place the step before which the agent stands, or the plan that it has chosen, if it met a breakpoint; else null
- * @property intention the number of the intention to look at first; null: none is distinguished
+ * @property boards the result of making the boards safe, a sentence for each board; empty while the agent runs
+ * @property place the step before which the agent stands, or the plan that it has chosen; null: it has met no breakpoint
+ * @property intention the number of the intention to look at first; null: no intention is special
  * @property sinceNanos the time at which this state began, in ns of [ObservedAgent.nanos]
  */
 data class PauseState(

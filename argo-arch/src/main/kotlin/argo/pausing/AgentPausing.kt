@@ -23,10 +23,11 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * The world of an agent that stands, as far as a pause touches it.
+ * The world of an agent that can stand: the parts that a pause needs.
  *
  * @property nanos the agent's clock
- * @property makeSafe makes the boards safe, on the agent's thread; returns what becomes of each, in words; null: there is no such command
+ * @property makeSafe makes the boards safe, on the agent's thread; returns the result for each board, in words; null: there is no such
+ * command
  * @property standing called by the agent's thread when it begins (true) or ceases (false) to stand
  * @property wake wakes the agent until its argument returns true
  * @property isStandingStill whether the world stands still with the agent, see [argo.platform.Platform.standsStill]
@@ -40,8 +41,8 @@ internal class PauseWorld(
 )
 
 /**
- * Has the agent of [ts] stand on its own thread, in [cycleStarting]. In a world that stands still with it, the agent also stands within a
- * cycle, so that breakpoints do not change its course.
+ * Makes the agent of [ts] stand on its own thread, in [cycleStarting]. In a world that stands still with it, the agent can also stand
+ * within a cycle, so that breakpoints do not change its course.
  *
  * @param asking see [argo.boundary.Boundary.asking]
  */
@@ -64,7 +65,7 @@ internal class AgentPausing(
     private val isOff get() = refusal != null || isClosed
     private val isWatching get() = !isOff && (until != null || breaks.lines.isNotEmpty())
 
-    /** The reason why an agent stands, and those for whom it does, who are one or more. */
+    /** The reason why an agent stands, and the owners for whom it stands, at least one. */
     private data class Stand(val met: Met, val owners: Set<Any>) {
         fun with(others: Set<Any>) = copy(owners = owners + others)
         fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
@@ -72,11 +73,11 @@ internal class AgentPausing(
 
     private class Until(val stop: Stop, val owner: Any)
 
-    /** Why the agent is to stand before its next cycle; null: it is not. Written under the lock. */
+    /** The reason why the agent is to stand before its next cycle; null: it is not to stand. Written under the lock. */
     @Volatile
     private var wanted: Stand? = null
 
-    /** Why the agent stands, so that it takes work; null: it does not. Under the lock. */
+    /** The reason why the agent stands, and so takes work; null: it does not stand. Under the lock. */
     private var standing: Stand? = null
 
     @Volatile
@@ -100,7 +101,7 @@ internal class AgentPausing(
         if (wanted != null) world.wake { wanted == null }
     }
 
-    /** Has the agent stand for [next], and for those for whom it was to stand already. Under the lock. */
+    /** Makes the agent stand for [next], and for all for whom it was already to stand. Under the lock. */
     private fun want(next: Stand) {
         wanted = next.with(wanted?.owners.orEmpty())
     }
@@ -115,7 +116,7 @@ internal class AgentPausing(
         }
         val next = Until(stopOf(stop, ts), owner)
         val isStanding = meanwhile {
-            next.stop.met(ts, null) // sees what is there before the agent goes on
+            next.stop.met(ts, null) // notes the beliefs that are there before the agent goes on
             goOn(next, null)
         }
         if (!isStanding) goOn(next, null)
@@ -184,8 +185,8 @@ internal class AgentPausing(
     override fun look(look: () -> Unit): Boolean = meanwhile { asking(look) }
 
     /**
-     * If the agent stands, or is about to, has its thread do [work] before it goes on, and returns true; else returns false. Any thread may
-     * call.
+     * If the agent stands, or is about to, lets its thread do [work] before the agent goes on, and returns true; else returns false. Any
+     * thread may call.
      */
     fun meanwhile(work: () -> Unit): Boolean = lock.withLock {
         if (standing == null) return false
@@ -194,7 +195,7 @@ internal class AgentPausing(
         true
     }
 
-    /** Has the agent stand, if it is to stand before the cycle that begins now. Called by its thread. */
+    /** Makes the agent stand if it is to stand before the cycle that begins now. Called by its thread. */
     fun cycleStarting() {
         isInCycle = true
         standIfWanted()
@@ -212,11 +213,14 @@ internal class AgentPausing(
         begun?.let { stand(it.met) }
     }
 
-    /** Returns true if the agent need not begin a cycle to stand. In a world that stands still, it stands in no cycle of its own. */
+    /**
+     * Returns true if the agent need not begin a cycle to stand. In a world that stands still, the agent needs no cycle of its own to
+     * stand.
+     */
     fun maySleep(): Boolean = world.isStandingStill || wanted == null
 
     /**
-     * Returns true if the agent is to carry out no intention in this cycle, since it is to stand before the next one. Called by the agent's
+     * Returns true if the agent carries out no intention in this cycle, since it must stand before the next cycle. Called by the agent's
      * thread between the rules of its cycle.
      */
     fun isHolding(): Boolean {
@@ -232,7 +236,7 @@ internal class AgentPausing(
         if (world.isStandingStill) standIfWanted() else world.wake { wanted == null }
     }
 
-    /** Returns true if the agent is to stand now, and notes for whom. */
+    /** Returns true if the agent must stand now, and notes for whom. */
     private fun hasMet(): Boolean {
         val option = ts.c.selectedOption
         val chosen = option.takeIf { it !== lastOption }?.plan
@@ -255,13 +259,13 @@ internal class AgentPausing(
         val boards = if (world.isStandingStill) listOf(STILL) else makeSafe(met)
         tell(STANDING, met, boards)
         val place = met.place?.run { " at ${file.removePrefix("file:")}:$line" }.orEmpty()
-        log.info { "the agent stands: ${met.why}$place; ${boards.joinToString("; ")}" }
+        log.info { "the agent stands: ${(listOf("${met.why}$place") + boards).joinToString("; ")}" }
         while (true) carryOut(nextWork() ?: break)
         world.standing(false)
         tell(RUNNING, null, emptyList())
     }
 
-    /** Makes the boards safe; returns what has become of each, in words. */
+    /** Makes the boards safe; returns the result for each board, in words. */
     private fun makeSafe(met: Met): List<String> {
         tell(MAKING_SAFE, met, emptyList())
         val boards = world.makeSafe() ?: return listOf(UNSAFE)
@@ -270,7 +274,7 @@ internal class AgentPausing(
         return boards.mapNotNull { it.getNow(null) }
     }
 
-    /** Waits for work of the standing agent; null: the agent goes on. */
+    /** Waits for work for the standing agent; null: the agent goes on. */
     private fun nextWork(): (() -> Unit)? = lock.withLock {
         while (works.isEmpty() && !mayGoOn) changed.awaitUninterruptibly()
         works.removeFirstOrNull().also { if (it == null) standing = null }
@@ -278,7 +282,7 @@ internal class AgentPausing(
 
     private fun carryOut(work: () -> Unit) = try {
         work()
-    } catch (broken: Throwable) { // of a view or a debugger, and the agent must go on
+    } catch (broken: Throwable) { // code of a view or a debugger; the agent must go on
         log.log(Level.WARNING, "what was asked of the standing agent has failed", broken)
     }
 
@@ -287,7 +291,7 @@ internal class AgentPausing(
         listeners.forEach { carryOut { it(state) } }
     }
 
-    /** Has the agent go on for good, since it ends. */
+    /** Lets the agent go on for good, since it ends. */
     override fun close() {
         isClosed = true
         goOn()

@@ -11,11 +11,11 @@ import jason.asSyntax.Structure
 import jason.asSyntax.Term
 import java.io.File
 
-/** The lines of an agent's plans at which it can stand: those of triggers, and those of steps. Any thread may call. */
+/** The lines of an agent's plans at which it can stand: the lines of triggers and of steps. Any thread may call. */
 internal class PlanLines(agent: Agent) {
     private val lines = Plans.of(agent).copy().flatMap(::linesOf).distinct()
 
-    /** The last part of each file with such lines, but that of Jason's own plans for messages. */
+    /** The last part of the name of each file with such lines, except the file of Jason's own plans for messages. */
     val files: Set<String> get() = lines.mapTo(LinkedHashSet()) { File(it.file).name } - "kqmlPlans.asl"
 
     fun has(file: String): Boolean = lines.any { isSameFile(it.file, file) }

@@ -19,28 +19,28 @@ import jason.asSyntax.PlanBody
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** The reason why an agent is to stand: see [argo.observing.PauseState]. */
+/** The reason why an agent must stand: see [argo.observing.PauseState]. */
 internal data class Met(val why: String, val place: SourceLine? = null, val intention: Int? = null)
 
 /** A condition on which an agent stands. For the agent's thread. */
 internal fun interface Stop {
     /**
-     * Returns why the agent of [ts] is to stand now; null: it is not. The first call may be made before the agent goes on.
+     * Returns why the agent of [ts] must stand now; null: it need not. The first call may be made before the agent goes on.
      * @param chosen the plan that the agent has chosen since the last call; null: none
      */
     fun met(ts: TransitionSystem, chosen: Plan?): Met?
 }
 
 /**
- * Stops an agent when the next step to be carried out is the first one at one of [lines], or the first of a plan whose trigger is there.
- * Looks only at the intention whose turn is next. So of several intentions at breakpoints, one after the other is carried out.
+ * Stops an agent before its next step, if that is the first step at one of [lines], or the first step of a plan whose trigger is there.
+ * Looks only at the intention whose turn is next. So if several intentions are at breakpoints, they are carried out one after the other.
  */
 internal class Breakpoints : Stop {
     /** Any thread may set it. */
     @Volatile
     var lines: List<SourceLine> = emptyList()
 
-    private var places = IdentityHashMap<IntendedMeans, SourceLine?>() // of the steps that were next
+    private var places = IdentityHashMap<IntendedMeans, SourceLine?>() // of the steps that were next at the last call
 
     override fun met(ts: TransitionSystem, chosen: Plan?): Met? {
         val running = running(ts)
@@ -85,7 +85,7 @@ private fun chosen(plan: Plan, ts: TransitionSystem): Met {
     return Met("the plan ${plan.label?.functor} for ${plan.trigger} was chosen", placeOf(plan), intention?.id)
 }
 
-/** Stops an agent when it believes something that unifies with a pattern, and that it did not believe at the first call. */
+/** Stops an agent when it has a belief that unifies with a pattern, and that it did not have at the first call. */
 private class NewBelief(text: String) : Stop {
     private val pattern: Literal = try {
         PerceptReader.read(text)
@@ -102,7 +102,7 @@ private class NewBelief(text: String) : Stop {
     }
 }
 
-/** Stops an agent at the next step of an intention after that at the first call. */
+/** Stops an agent at the next step of an intention after the step that was next at the first call. */
 private class NextStep(private val wanted: StopAt.Step) : Stop {
     private class From(val depth: Int, val means: IntendedMeans, val step: PlanBody?)
 

@@ -35,7 +35,7 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** Returns the literal of [percept]; none: it cannot be read; several: a stray quote or bracket had joined them. */
+    /** Returns the literal of [percept]; an empty list: it cannot be read; several literals: a stray quote or bracket had joined them. */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
@@ -100,7 +100,7 @@ private fun claim(literal: Literal): String? {
     return whyClaimed("${literal.functor}/${literal.arity}", last?.functor)
 }
 
-/** Returns [literal] without its claimed sources: a board's literal is only a percept. */
+/** Returns [literal] without the sources that its text claims: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))

@@ -24,19 +24,19 @@ internal interface PerceivedBoard {
     /** Returns true if the agent perceives the board through [port] now. */
     fun isOn(port: OpenPort): Boolean
 
-    /** Takes each [snapshot] that is left for the agent. */
+    /** Takes each [snapshot] that is ready for the agent. */
     fun filtered(snapshot: Snapshot)
 }
 
 /**
- * Turns each message of a [board] into a [Snapshot] for its agent, and leaves it for the hand-over.
+ * Turns each message of a [board] into a [Snapshot] for its agent, and passes it to the hand-over.
  *
- * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make and leave snapshots under one
- * lock, so no older snapshot follows a newer one. Safe for use by several threads.
+ * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make snapshots and pass them on
+ * under one lock, so no older snapshot follows a newer one. Safe for use by several threads.
  *
- * @param reader reads the beliefs; [limit] then selects some
+ * @param reader reads the beliefs; [limit] selects from them
  * @param handOver takes the snapshots
- * @param reflexes takes the critical rules that each message meets; commands are submitted under the lock, so none follows [forget]
+ * @param reflexes takes the critical rules that each message meets; commands are submitted under the lock, so no command follows [forget]
  * @param log takes, at level FINE, the reason why a percept is dropped
  */
 internal class BoardPercepts(
@@ -52,7 +52,7 @@ internal class BoardPercepts(
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest message, without reports
-    private var olderNanos: Map<String, Long> = emptyMap() // the times at which percepts of it that are older were true
+    private var olderNanos: Map<String, Long> = emptyMap() // by percept older than the message, the time at which it was true
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were last seen. */
@@ -84,7 +84,7 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
+     * Makes and passes on the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
      * percepts that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
      * @param event see [argo.links.BoardMessage.event]
@@ -115,7 +115,7 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of the newest message from [port] with [percept] in it. The board has reported [percept] at
+     * Makes the newest message from [port], with [percept] in it, into a snapshot, and passes this on. The board has reported [percept] at
      * [receivedNanos] because it meets [rule].
      *
      * @param outcome the outcome of the rule's reflex
@@ -141,7 +141,7 @@ internal class BoardPercepts(
         }
     }
 
-    /** Returns the times at which the percepts of a message with [reported] ones were seen; null: all at [receivedNanos]. */
+    /** Returns the times at which the percepts of a message with [reported] ones were seen; null: all were seen at [receivedNanos]. */
     private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
         if (reported.isEmpty() && seenNanos.isEmpty()) return null
         val older = reported.flatMap(reader::read).toSet()
@@ -150,8 +150,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if any. If the sensing thread is making a
-     * snapshot, does not wait: the due percepts go into that snapshot.
+     * Makes the newest snapshot with the held-back percepts that are due now, if any, and passes it on. Does not wait for a sensing thread
+     * that is making a snapshot: the due percepts go into that snapshot.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -166,7 +166,7 @@ internal class BoardPercepts(
     /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Forgets pending snapshots, held-back percepts, readings of sensors and met rules: they are of another time or place. */
+    /** Forgets pending snapshots, held-back percepts, readings and met rules, since they are of another time or another board. */
     fun forget() = lock.withLock {
         session.forget()
         newest = null
@@ -198,7 +198,7 @@ internal class BoardPercepts(
         leave(port, perception, receivedNanos, seenNanos, event?.let { eventOf(it, perception.percepts) })
     }
 
-    /** Returns the event [text] as it is among [percepts]; null: the filter drops it. */
+    /** Returns the event [text] in the form that it has among [percepts]; null: the filter drops it. */
     private fun eventOf(text: String, percepts: List<Literal>): PerceptEvent? {
         if (text.isEmpty()) return PerceptEvent(emptyList(), emptyList())
         return reader.read(text).filter(percepts::contains).takeIf { it.isNotEmpty() }?.let { PerceptEvent(listOf(text), it) }

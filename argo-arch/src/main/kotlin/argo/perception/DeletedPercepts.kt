@@ -28,7 +28,7 @@ internal class DeletedPercepts {
     private fun hasEvent(agent: Agent, percept: Literal) =
         agent.ts.c.hasListener() || Plans.of(agent).hasCandidate(Trigger(TEOperator.del, TEType.belief, percept))
 
-    /** Mends the events that Jason has added to [queue]. */
+    /** Corrects the events that Jason has added to [queue]. */
     fun mend(queue: Collection<Event>) {
         if (deleted.isEmpty()) return
         val waiting = deleted.toMutableList()

@@ -25,17 +25,16 @@ internal class ReasoningQueues(
 )
 
 /**
- * The work that the last snapshot of a board has left to the agent:
- * 1. its percept events in Jason's queue, but no later events: those of a busy Jason environment could keep the agent from its sensors for
- *    good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]. An atomic plan must see the world too. But each
- *    snapshot adds events. Jason goes through all of them in each cycle, and the agent must work them off later;
+ * The work that the last snapshot of a board has left to the agent: 1. the snapshot's percept events in Jason's queue, but no later events:
+ *    those of a busy Jason environment could keep the agent from its sensors for good. While the queue stands, the agent awaits no event,
+ *    only [ATOMIC_PLAN_INTERVAL_MS]. So an atomic plan sees the world too. But each snapshot during an atomic plan adds events. Jason goes
+ *    through all of them in each cycle, and the agent must work them off later;
  * 2. the commands that the board holds and that were issued before the snapshot was handed over;
  * 3. the intentions that percept events of the board have begun. Such an intention is done when it has finished, or waits, as for the
- *    outcome of a command. One that still runs after [LONG_MS] is awaited no more: it is meant to run on.
- * Jason handles one event a cycle, so without (1) events pile up. The line is slower than the agent, so without (2) commands pile up. Jason
- * runs one step a cycle, so without (3) intentions pile up. A wait for all commands would starve the sensing of a plan that loops on
- * `argo.act`.
- * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's thread.
+ *    outcome of a command. An intention that still runs after [LONG_MS] is no longer awaited, since it is meant to run on. Jason handles
+ *    one event a cycle, so without (1) events pile up. The line is slower than the agent, so without (2) commands pile up. Jason runs one
+ *    step a cycle, so without (3) intentions pile up. If all commands were awaited, a plan that loops on `argo.act` would starve sensing.
+ *    Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's thread.
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
  * @param isOwn returns whether a percept belongs to the board, or to none that the agent perceives; called by any thread
@@ -46,7 +45,7 @@ internal class EarlierWork(
     private val nowMs: () -> Long = Platform.system.nowMs,
     private val isOwn: (Literal) -> Boolean = { true },
 ) {
-    /** The percept events in the queue when the last snapshot was taken in; null: it is not yet taken in, or the queue stands. */
+    /** The percept events in the queue when the last snapshot was taken in; null: it has not been taken in, or the queue stands. */
     @Volatile
     private var events: Set<Event>? = null
 
@@ -68,7 +67,7 @@ internal class EarlierWork(
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot has been taken in: later events in the queue do not belong to it. */
+    /** Notes that the last snapshot has been taken in: events that join the queue later do not belong to it. */
     fun takenIn() {
         if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
@@ -76,8 +75,8 @@ internal class EarlierWork(
 
     /**
      * Returns true if no work is left.
-     * @param isAwaited whether the agent's thread asks because a snapshot waits. If only intentions are left, this call limits the
-     *     time for which the agent awaits them
+     * @param isAwaited true: the agent's thread asks because a snapshot waits. Such a call limits the time for which the agent awaits
+     * intentions, if only intentions are left
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
@@ -99,7 +98,7 @@ internal class EarlierWork(
         return if (begun.any(::awaits)) "plans that earlier percepts have begun still run" else null
     }
 
-    /** Returns the ms until commands to other boards are awaited no more; null: none are awaited. */
+    /** Returns the ms until commands to other boards are no longer awaited; null: none are awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
 
     private fun areEventsDone() =
@@ -114,7 +113,7 @@ internal class EarlierWork(
         beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
     }
 
-    /** Returns the event that began [intention]; null: it has finished, perhaps during this call. */
+    /** Returns the event that began [intention]; null: the intention has finished, perhaps during this call. */
     private fun beginningOf(intention: Intention): Literal? = try {
         intention.bottom?.trigger?.literal
     } catch (_: NoSuchElementException) {
@@ -125,7 +124,7 @@ internal class EarlierWork(
         /** The least ms between two hand-overs while Jason takes no event, as during an atomic plan. */
         const val ATOMIC_PLAN_INTERVAL_MS = 100
 
-        /** Ms for which an intention is awaited; longer if the events of the last snapshot took longer. */
+        /** The ms for which an intention is awaited; longer if the events of the last snapshot took longer. */
         const val LONG_MS = 1000L
     }
 }

@@ -5,8 +5,8 @@ import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**
- * An agent's percepts from its Jason environment, through its active filter. An environment returns nothing if nothing has changed, so its
- * last result is kept. Belongs to the agent's thread.
+ * An agent's percepts from its Jason environment, through its active filter. An environment returns nothing if nothing has changed, so this
+ * keeps the last result. Belongs to the agent's thread.
  *
  * @param known the last known result of the environment
  * @param nowMs a clock in ms that never goes back

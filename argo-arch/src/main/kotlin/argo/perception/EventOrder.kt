@@ -9,8 +9,8 @@ import jason.bb.StructureWrapperForLiteral
 import java.util.Queue
 
 /**
- * Puts the events of new [critical] percepts before all others in [queue]. The order within both groups stays. Other threads may add events
- * at the same time; no event is lost.
+ * Puts the events of new [critical] percepts ahead of all others in [queue]. The order within each of the two groups stays. Other threads
+ * may add events at the same time; no event is lost.
  */
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
@@ -32,7 +32,7 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
  * delay other boards.
  *
  * @param queue the agent's event queue; other threads may add events at the same time; none is lost
- * @param waiting the number of events in the queue before those of the new snapshots
+ * @param waiting the number of events that were in the queue before those of the new snapshots
  * @param boardOf returns the board of a percept; null: none
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {

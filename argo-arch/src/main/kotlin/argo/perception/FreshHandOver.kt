@@ -8,14 +8,14 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done.
- * A snapshot is handed over at once if it has a critical percept that the last one did not have. Before that, only a newer snapshot that
- * meets the same critical rules replaces it. So there are never more such snapshots than rules. A board that is always critical must not
- * make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is done.
- * Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. Of more than [MAX_EVENTS]
- * the oldest are lost.
+ * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done. A snapshot is handed over
+ * at once if it has a critical percept that the last snapshot did not have. Until the hand-over, only a newer snapshot that meets the same
+ * critical rules replaces such a snapshot. So there are never more such snapshots than critical rules. If a board is always critical,
+ * events must not pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once; further ones wait until
+ * the work is done. Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. If more than
+ * [MAX_EVENTS] wait, the oldest are lost.
  * @param tellLost called at each loss, with the number of lost events
- * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
+ * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the kind of work that they wait for
  */
 internal class FreshHandOver(
     private val work: EarlierWork,
@@ -25,10 +25,10 @@ internal class FreshHandOver(
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
     private val events = LinkedBlockingQueue<PerceptEvent>() // changed under the lock only
-    private var last: Snapshot? = null // the last taken snapshot, without its event
+    private var last: Snapshot? = null // the snapshot that was taken last, without its event
     private var lost = 0L
-    private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
-    private val earlyRules = HashSet<CriticalRule>() // rules that let a snapshot pass early since the last snapshot in turn
+    private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since the last one that came in its turn
 
     private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 
@@ -143,7 +143,7 @@ internal class FreshHandOver(
     }
 
     companion object {
-        /** Waiting snapshots are reported after this time in ms. */
+        /** When snapshots have waited for this time in ms, this is reported. */
         const val LATE_MS = 2000L
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */

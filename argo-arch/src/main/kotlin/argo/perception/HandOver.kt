@@ -5,19 +5,19 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other. The agent's thread calls [take] in each of
- * its perceptions; any thread may call the others.
+ * its perceptions; any thread may call the other functions.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent. If a snapshot of a newer message is there, [snapshot] may be dropped. */
+    /** Puts [snapshot] down for the agent. [snapshot] may be dropped if a snapshot of a newer message is there. */
     fun put(snapshot: Snapshot)
 
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if [take] would return a snapshot now, even if other boards' answers are due. */
+    /** Returns true if [take] would return a snapshot now that need not wait for other boards' answers. */
     fun isUrgent(): Boolean = isReady()
 
-    /** Returns the ms until a snapshot may become ready without news; null: none will. */
+    /** Returns the ms until a snapshot may become ready even without news; null: no snapshot will. */
     fun dueInMs(): Long? = null
 
     /** Takes the snapshot to perceive now; null: none is ready. */
@@ -27,12 +27,12 @@ internal interface HandOver {
     fun drain(): List<Snapshot>
 
     /**
-     * Has the newest snapshot taken next, whatever work is left, and drops all earlier ones, since the agent has stood. Returns how many
-     * snapshots are dropped that it would have perceived.
+     * Makes the newest snapshot the next to be taken, whatever work is left, and drops all earlier ones, since the agent has stood. Returns
+     * how many of the dropped snapshots the agent would have perceived.
      */
     fun catchUp(): Int
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of taken ones. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of those that were taken. */
     fun clear()
 }
 

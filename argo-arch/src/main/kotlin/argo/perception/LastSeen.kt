@@ -20,7 +20,7 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
      * Takes a message that arrived at [atNanos], by the platform's clock.
      *
      * @param seen the message's percepts that the filter lets through
-     * @param delivered all percepts that the agent will believe then: also frozen ones, and stand-ins for held-back ones
+     * @param delivered all percepts that the agent will believe after the message: also frozen ones, and stand-ins for held-back ones
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
         for (percept in seen) {

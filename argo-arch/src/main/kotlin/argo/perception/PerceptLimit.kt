@@ -5,8 +5,8 @@ import jason.asSyntax.Literal
 
 /**
  * Limits how many percepts of a board an agent believes at once. Critical percepts come first, then others in the order of the message; the
- * rest is left out. The log warns once, and again after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by several threads
- * at once.
+ * rest is left out. The log warns once, and warns again only after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by
+ * several threads at once.
  *
  * @param max the most percepts
  * @param warning takes the message when the limit is exceeded

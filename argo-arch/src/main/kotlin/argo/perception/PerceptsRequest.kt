@@ -7,7 +7,7 @@ import javino.PerceptsRequest
 
 /**
  * Returns the request to a board of version 2 while [filter] is active. If the filter lets through only percepts of some functors, the
- * request is `getPercepts(dist,light)`: others take no time on the line. If not, it asks for everything.
+ * request is `getPercepts(dist,light)`, so other percepts take no time on the line. If any percept may pass, it asks for everything.
  */
 internal fun perceptsRequest(filter: PerceptionFilter?): String =
     filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD }

@@ -16,7 +16,7 @@ import java.nio.file.Path
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
     finderOf(agent).find(name)
 
-/** Returns the file on a disk in which [filterOf] finds the filter; null: it is in none. */
+/** Returns the file on a disk in which [filterOf] finds the filter; null: the filter is not in a file. */
 internal fun filterPath(agent: Agent, name: String): Path? = finderOf(agent).path(name)
 
 internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
@@ -32,7 +32,7 @@ private fun directoryOf(source: String?): Path? = try {
     source?.let { if (it.startsWith("file:/")) Path.of(URI(it)) else Path.of(it.removePrefix("file:")) }
         ?.toAbsolutePath()?.normalize()?.parent?.takeIf(Files::isDirectory)
 } catch (_: IllegalArgumentException) {
-    null // the source is no file, but an .asl from a jar or the class path
+    null // the source is no file, such as an .asl in a jar or on the class path
 } catch (_: java.net.URISyntaxException) {
     null
 }

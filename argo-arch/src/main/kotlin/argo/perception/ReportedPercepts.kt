@@ -20,14 +20,17 @@ internal class ReportedPercepts {
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** Drops reports from before [askedNanos], the request of a message that has come: the message contains them. */
+    /** Drops reports from before [askedNanos], when a message that has come was requested: the message contains them. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
 
     fun clear() = reports.clear()
 
-    /** Returns [message] with each report in the place of the percept that it renews. A report without such a percept goes to the end. */
+    /**
+     * Returns [message] with each report put in place of the older percept of the same sensor. A report without such an older percept goes
+     * to the end.
+     */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {

@@ -15,8 +15,8 @@ import jason.asSyntax.Literal
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable the percepts in [kept] that cannot be believed
- * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message had that
- * percept. Without this function, all were seen at [receivedNanos]
+ * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message contained
+ * this percept. Without this function, all were seen at [receivedNanos]
  * @property event the event among the percepts, see [argo.links.BoardMessage.event]
  */
 internal class Snapshot(
@@ -33,7 +33,7 @@ internal class Snapshot(
     override val portName: String get() = port?.link?.port.orEmpty()
     override val namespace: String? get() = port?.options?.namespace
 
-    /** Returns this with [event] besides. */
+    /** Returns this snapshot with [event] added. */
     fun with(event: PerceptEvent) = copy(texts + event.texts, kept + event.texts, percepts + event.percepts, event)
 
     fun withoutEvent(): Snapshot =
@@ -43,5 +43,5 @@ internal class Snapshot(
         Snapshot(port, texts, kept, percepts, receivedNanos, critical, unreadable, seenNanos, event)
 }
 
-/** An event that the agent perceives in its turn, as texts and as beliefs; without any it is the gap between two equal events. */
+/** An event that the agent perceives in its turn, as texts and as beliefs; if both are empty, it is the gap between two equal events. */
 internal class PerceptEvent(val texts: List<String>, val percepts: List<Literal>)

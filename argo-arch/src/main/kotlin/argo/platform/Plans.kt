@@ -10,7 +10,7 @@ import java.lang.reflect.Method
  * The plan library of an agent in Jason.
  *
  * Jason 3.3.0 and 3.2.1 have the library's class in different packages, and a program is compiled with one version. This class calls the
- * methods of both by name; no other code may name Jason's class. For the agent's thread.
+ * methods of both versions by name; no other code may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */
@@ -48,7 +48,7 @@ class Plans private constructor(val library: Any) {
         /** Returns the plans of [agent]. */
         fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
 
-        /** Has [read] add plans to [agent], and returns them. The agent keeps the plans that it had. */
+        /** Lets [read] add plans to [agent], and returns the added plans. The agent keeps the plans that it had. */
         fun readInto(agent: Agent, read: () -> Unit): List<Plan> {
             val before = of(agent)
             val empty = TYPE.getConstructor().newInstance()
@@ -61,7 +61,7 @@ class Plans private constructor(val library: Any) {
             return Plans(empty).all
         }
 
-        /** Returns the plans within [plan]; null: it has none. */
+        /** Returns the plans written inside [plan]; null: there are none. */
         fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)
 
         fun isLibrary(one: Any): Boolean = TYPE.isInstance(one)

@@ -24,13 +24,13 @@ interface Platform {
     /** The boundary of the agents on this platform, as in a replay; null: their inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
-    /** True if nothing happens here while an agent's thread stands, as in virtual time and in a replay: the world stands still with it. */
+    /** True if the whole world stands still while an agent's thread stands, as in virtual time and in a replay. */
     val standsStill: Boolean get() = false
 
     /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /** Does [action] in [delayMs] ms of [clock], unless everything has ended by then. [action] must not wait. Its exceptions are logged. */
+    /** Does [action] in [delayMs] ms of [clock], unless all has ended meanwhile. [action] must not wait. Its exceptions are logged. */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
@@ -57,13 +57,13 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the whole system is being stopped, so nobody needs the action
+                    // the whole system is being stopped, so nobody needs the action any more
                 }
             }
 
             private fun carryOut(action: () -> Unit) = try {
                 action()
-            } catch (broken: Throwable) { // Jason's scheduler would hide it
+            } catch (broken: Throwable) { // otherwise Jason's scheduler would hide the exception
                 Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "a delayed action has failed", broken)
             }
 

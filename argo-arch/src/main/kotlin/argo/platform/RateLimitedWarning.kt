@@ -4,7 +4,7 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Logs a condition once when it begins, and not again while it lasts or comes and goes. So a board that causes it all the time does not
+ * Logs a condition once when it begins, but not again while it lasts, or comes and goes. So a board that causes it all the time does not
  * fill the log. A condition ends after [QUIET_MS] without an occurrence. If there are more than [MAX_KINDS] conditions, the log says only
  * that there are others. Safe for use by several threads.
  *
@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  */
 internal class RateLimitedWarning(private val nowMs: () -> Long, private val warn: (String) -> Unit) {
     private val lock = ReentrantLock()
-    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds that had no room
+    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds for which there was no room
 
     /** Notes that the condition [kind] occurs now. */
     fun report(kind: String, message: () -> String) {

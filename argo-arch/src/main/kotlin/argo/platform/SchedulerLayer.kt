@@ -8,8 +8,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place],
- * independent of the order of installation; [below] is the next.
+ * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place], whatever
+ * the order of installation; [below] is the next layer.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
     /** Does [work] after [delay]. */
@@ -31,10 +31,10 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     /** The place of a layer. */
     enum class Place {
-        /** The layer decides when a timer ends, and lies directly on Jason's scheduler. */
+        /** The layer that decides when a timer ends; it lies directly on Jason's scheduler. */
         TIME,
 
-        /** The layer sees each timer of an agent, whichever layer ends the timer. */
+        /** The layer that sees each timer of an agent, whichever layer ends the timer. */
         AGENT,
     }
 
@@ -49,7 +49,7 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
         /**
          * Puts a layer at its [place] in Jason's scheduler, for all agents of this program, unless a layer of [kind] is there. [make]
-         * returns the layer for the scheduler below it. A layer has no state: it may be made again for another scheduler below.
+         * returns the layer for the scheduler below it. A layer has no state, so it may be made again for another scheduler below.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

@@ -4,12 +4,12 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps repeated events from filling a log. The first [FREE] lines of a kind go out at once; later lines at growing intervals, from a
- * second to five minutes. A later line is the newest of its kind and says how many were left out. So the last line of a kind always
+ * Keeps repeated events from filling a log. The first [FREE] lines of a kind go out at once; later lines go out at growing intervals, from
+ * a second to five minutes. A later line is the newest of its kind and says how many were left out. So the last line of a kind always
  * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param later does its last argument after the number of ms in its first
+ * @param later does its last argument after the number of ms that is its first argument
  */
 class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Long, action: () -> Unit) -> Unit) {
     private class Kind {
@@ -38,7 +38,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
     }
 
-    /** Returns the ms after which the newest line goes out; 0: that is arranged already. */
+    /** Returns the ms after which the newest line must be written; 0: this is arranged already. */
     private fun hold(kind: Kind, line: (String) -> Unit): Long {
         kind.newest = line
         if (kind.held++ > 0) return 0

@@ -22,7 +22,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var isWoken = false
 
-    /** The thread that was told, since the agent began to perceive, that it may sleep; null: none. */
+    /** The thread that was told, since the agent began to perceive, that it may sleep; null: no thread. */
     @Volatile
     private var sleeper: Thread? = null
 
@@ -33,13 +33,13 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var reasoner: Thread? = null
 
-    /** True if one thread perceives and sleeps; null: not known yet. Jason also has agents of three threads. */
+    /** True if one thread perceives and sleeps; null: this is not known yet. Jason also has agents of three threads. */
     @Volatile
     private var isOneThread: Boolean? = null
 
     /**
-     * Wakes the agent now; if that may be in vain, again until [seen] returns true. Other threads call [seen]. If the agent's cycle runs on
-     * this thread, it wakes nobody, but this thread does not fall asleep after the cycle.
+     * Wakes the agent now; if that may be in vain, again until [seen] returns true. Other threads call [seen]. If the calling thread
+     * carries out the agent's cycle, wakes nobody, but keeps that thread from falling asleep after the cycle.
      */
     fun wake(seen: () -> Boolean) {
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
@@ -64,7 +64,10 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         isWoken = false
     }
 
-    /** Returns true if the agent was not woken since it began to perceive. The agent's thread calls this last, when it decides to sleep. */
+    /**
+     * Returns true if the agent was not woken since it began to perceive. The agent's thread calls this last of all, when it decides to
+     * sleep.
+     */
     fun maySleep(): Boolean {
         val thread = Thread.currentThread()
         if (isOneThread != false) isOneThread = thread === perceiver
@@ -84,7 +87,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
 
     /** Wakes the agent in [delayMs] ms to perceive, unless an earlier wake-up is due. */
     fun wakeIn(delayMs: Long) {
-        val wait = minOf(delayMs, MAX_DELAY_MS) // an agent that wakes too early looks again
+        val wait = minOf(delayMs, MAX_DELAY_MS) // an agent that wakes too early decides anew whether to sleep
         val at = platform.nowMs() + wait
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
         platform.later(wait) {
@@ -103,7 +106,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         if (isInVain && repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
 
-    /** Returns true if the agent may be about to sleep. A thread that waits with a time limit sleeps already. */
+    /** Returns true if the agent may be about to sleep. A thread that waits with a time limit is asleep already. */
     private fun mayBeInVain() = isOneThread != true || sleeper.let { it != null && it.state != Thread.State.TIMED_WAITING }
 
     private companion object {

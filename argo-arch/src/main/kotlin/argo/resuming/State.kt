@@ -10,10 +10,10 @@ import java.time.format.DateTimeFormatter
 /**
  * The state of an agent, from which its next run goes on.
  *
- * @property writtenMs when it was the agent's state, in ms since 1970
+ * @property writtenMs the time of the state, in ms since 1970
  * @property setUp the calls of internal actions that set the agent's boards up as they are, without the prefix `argo.`
- * @property program what the agent's program began with
- * @property mind what the agent believes and wants
+ * @property program the beliefs and goals that the agent's program began with
+ * @property mind the agent's beliefs and the events of its intentions
  */
 internal data class State(
     val agent: String,
@@ -61,7 +61,7 @@ internal data class State(
 
         private fun argumentOf(call: String) = call.substringAfter('(').removeSuffix(")")
 
-        /** Returns the fact in [line], the one with this [number] from 1 on, without its full stop. */
+        /** Returns the fact in [line], without its full stop. The line has this [number], from 1. */
         private fun fact(number: Int, line: String): String {
             if (!line.endsWith(".")) throw UnreadableStateException("line $number does not end with a full stop: $line")
             val fact = line.dropLast(1)

@@ -14,8 +14,8 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 
 /**
- * The file that keeps the state of one agent. It is exchanged whole: whatever ends the program or the computer, the file is the old one or
- * the new one. Functions wait for the disk, and throw [IOException].
+ * The file that keeps the state of one agent. The file is exchanged as a whole: whatever ends the program or the computer, the file is
+ * either the old one or the new one. Functions wait for the disk, and throw [IOException].
  */
 internal class StateFile private constructor(private val path: Path) : AutoCloseable {
     private val next = path.resolveSibling("${path.fileName}.new")
@@ -34,7 +34,7 @@ internal class StateFile private constructor(private val path: Path) : AutoClose
         forceFolder()
     }
 
-    /** Has the disk keep the exchange, as far as the system can: Windows opens no folders. */
+    /** Makes the disk keep the exchange, as far as the system can: Windows opens no folders. */
     private fun forceFolder() {
         try {
             FileChannel.open(path.parent, READ).use { it.force(true) }

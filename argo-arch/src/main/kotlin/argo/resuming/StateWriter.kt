@@ -10,10 +10,10 @@ import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Logger
 
 /**
- * Writes the states of the agent called [name] to [file], on a thread of its own. While a slow disk writes one, only the newest of the
- * later ones waits. Any thread may call; none waits for the disk.
+ * Writes the states of the agent called [name] to [file], on a thread of its own. While a slow disk writes one state, only the newest of
+ * the later states waits. Any thread may call; none waits for the disk.
  *
- * @param end asks for the last state, when Java ends before the agent: [end][StateWriter.end] is called soon
+ * @param end asks for the last state if Java ends before the agent: [end][StateWriter.end] is called soon
  */
 internal class StateWriter(
     private val file: StateFile,

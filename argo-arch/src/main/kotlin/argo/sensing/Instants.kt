@@ -2,7 +2,7 @@ package argo.sensing
 
 /**
  * The instants at which an agent asks its boards, if it perceives several: the multiples of the sensing interval, counted from the
- * beginning of the clock. So boards of one interval are asked together.
+ * beginning of the clock. So boards with the same interval are asked together.
  */
 internal object Instants {
     /** Returns the first instant after [startNanos], with an interval of [intervalNanos]; 0: at once. */

@@ -41,9 +41,9 @@ internal interface SensingListener {
 }
 
 /**
- * Asks one board for its percepts, or listens to it, on its own thread, while the agent wants to perceive the board. In between it watches
- * the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing keeps no copy of the agent's wishes, and asks
- * [listener] each time: so no change is lost between two threads.
+ * Asks one board for its percepts, or listens to it, on its own thread, while the agent wants to perceive the board. Between two messages
+ * it watches the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing keeps no copy of the agent's wishes,
+ * but asks [listener] each time, so no change is lost between two threads.
  */
 internal class Sensing(
     private val port: OpenPort,
@@ -62,7 +62,7 @@ internal class Sensing(
     private val isPaced = port.link.isPaced
     private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port}", ::run) }
 
-    /** Starts the thread. [close] or the loss of the port ends it. */
+    /** Starts the thread. [close] or the loss of the port ends sensing. */
     fun start() = lock.withLock { if (!closed) thread.value }
 
     /** Signals that the answers of the listener may have changed. */
@@ -91,7 +91,7 @@ internal class Sensing(
     /** Waits until the next request is due; false: the line must be looked at first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
-        if (wait >= SLICE_NANOS && mayReport()) return false // the line is read instead
+        if (wait >= SLICE_NANOS && mayReport()) return false // the thread reads the line in place of this wait
         if (wait > WATCH_NANOS) {
             clock.await(changed, WATCH_NANOS)
             wait = nanosUntilDue()
@@ -103,9 +103,9 @@ internal class Sensing(
         (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** Returns the time until the next request; without end if none is wanted. A board that speaks unasked is listened to all the time. */
+    /** Returns the time until the next request; endless if none is wanted. A board that speaks unasked is listened to all the time. */
     private fun nanosUntilDue(): Long = when {
-        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // if not paced, the agent's own thread takes the messages
+        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // on a line that is not paced, the agent's own thread takes the messages
         listens() -> 0
         else -> lastStart?.let { listener.nextStart(it) - clock.nanos() } ?: 0
     }
@@ -124,10 +124,10 @@ internal class Sensing(
         }
     }
 
-    /** Returns the ms for one look at the line: at most until the next request, and short enough for changes of the agent's wishes. */
+    /** Returns the ms for one look at the line: at most until the next request, and short enough to notice the agent's new wishes. */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
-    /** Takes one message from the board, on the caller's thread; false: the port is lost. */
+    /** Takes one message from the board, on the caller's thread; returns false if the port is lost. */
     fun exchange(): Boolean = using {
         val timeoutMs = port.options.timeoutMs
         val message = if (listens()) port.link.listen(timeoutMs) else port.link.request(::requestNow, timeoutMs, listener.intervalMs)
@@ -137,7 +137,7 @@ internal class Sensing(
         if (message != null) {
             port.hasSpoken = true
             listener.received(port, message, askedNanos)
-            if (listens()) askedNanos = message.receivedNanos // the board may have begun the next message since
+            if (listens()) askedNanos = message.receivedNanos // the board may have begun the next message after this one
         }
     }
 
@@ -146,7 +146,7 @@ internal class Sensing(
         return listener.request(port)
     }
 
-    /** Does [work] with the line; false: the port is lost. */
+    /** Does [work] with the line; returns false if the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
         work()
         true
@@ -179,7 +179,7 @@ internal class Sensing(
         return false
     }
 
-    /** Reports an unforeseen exception as a lost port: if the thread died silently, the agent's world would be stale. */
+    /** Reports an unforeseen exception as a lost port: if the thread died silently, the agent would perceive a stale world. */
     private fun unforeseen(cause: Throwable): Boolean {
         listener.lost(port, PortFaultException(port.link.port, "sensing ended: $cause", cause))
         return false

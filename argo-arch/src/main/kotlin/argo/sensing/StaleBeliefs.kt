@@ -29,7 +29,7 @@ internal class StaleBeliefs(
         freshMs = nowMs()
     }
 
-    /** Returns the ms until the port in use is stale; 0: it is; null: the agent does not listen, or the board may be silent. */
+    /** Returns the ms until the port in use is stale; 0: it is stale; null: the agent does not listen, or the board may be silent. */
     fun dueInMs(): Long? = listened()?.let { limitMs(it.options, intervalMs()) }?.let { maxOf(0, freshMs + it - nowMs()) }
 
     /** Recomputes the beliefs; returns true if they changed. */
@@ -53,8 +53,8 @@ internal class StaleBeliefs(
         const val FUNCTOR = "stale"
 
         /**
-         * Returns the ms without a message after which `stale(Port)` is believed; null: never. The default lets two answers in a row fail.
-         * By default a board that sends only news is never stale.
+         * Returns the ms without a message after which `stale(Port)` is believed; null: never. By default a board may miss one answer, but
+         * not two in a row. By default a board that sends only news is never stale.
          * @param intervalMs the sensing interval in ms
          */
         fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {

@@ -7,7 +7,7 @@ internal class UnansweredRequests {
     private var sinceNanos = 0L
     private var count = 0
 
-    /** Counts one more request, found unanswered at [nowNanos]. */
+    /** Counts one more unanswered request; at [nowNanos] its time was over. */
     fun add(nowNanos: Long) {
         if (count++ == 0) sinceNanos = nowNanos
     }

@@ -7,8 +7,8 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] tells the result, or the
- * mistake in the file; the agent then goes on as it is.
+ * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] gets the result, or the mistake
+ * in the file; after a mistake the agent goes on unchanged.
  */
 internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
     private val closing = CountDownLatch(1)
@@ -16,13 +16,13 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     private val watcher = Thread(::watch, "argo-${agent.name}-watching").apply { isDaemon = true }
 
     init {
-        val files = agent.sources() // as Jason has just read them
+        val files = agent.sources() // with the stamps of the files that Jason has just read
         saved.look(files)
         if (files.isEmpty()) log.warning("no file of the agent is on this computer's disk, so none is watched") else watcher.start()
     }
 
     private fun watch() {
-        while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) {
+        while (!closing.await(SavedFiles.LOOK_EACH_MS, TimeUnit.MILLISECONDS)) {
             val files = saved.look(agent.sources())
             if (files.isNotEmpty()) reload("${files.joinToString { "${it.fileName}" }} saved")
         }
@@ -35,8 +35,4 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     }
 
     override fun close() = closing.countDown()
-
-    private companion object {
-        const val INTERVAL_MS = 250L
-    }
 }

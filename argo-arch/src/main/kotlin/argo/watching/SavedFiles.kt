@@ -7,8 +7,8 @@ import java.nio.file.attribute.BasicFileAttributes
 import java.nio.file.attribute.FileTime
 
 /**
- * Notices by looks that files have been saved. A file counts as saved when it has changed and then stayed the same from one look to the
- * next, since many editors write a file in several steps. Not safe for use by several threads.
+ * Notices that files have been saved, by looking at them again and again. A file counts as saved when it has changed and then stayed the
+ * same from one look to the next, since many editors write a file in several steps. Not safe for use by several threads.
  *
  * @param stampOf returns the state of a file; null: it cannot be read
  */
@@ -17,8 +17,8 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
     private var seen: Map<Path, FileStamp?> = emptyMap()
 
     /**
-     * Looks at [files], and returns those that have been saved since they were last returned. Files that were not among those of the look
-     * before count as unchanged.
+     * Looks at [files], and returns those that have been saved since they were last returned. Files that were not in the last look count as
+     * unchanged.
      */
     fun look(files: Collection<Path>): List<Path> {
         val now = files.associateWith(stampOf)
@@ -26,6 +26,11 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
         taken = now.mapValues { (file, stamp) -> if (file in saved || file !in taken) stamp else taken[file] }
         seen = now
         return saved
+    }
+
+    companion object {
+        /** The time between two looks. */
+        const val LOOK_EACH_MS = 250L
     }
 }
 

@@ -62,6 +62,17 @@ class CommandTextSpec : FunSpec({
         lineText(ASSyntax.parseLiteral("left::stop[soon]")) shouldBe "stop[soon]"
     }
 
+    test("a quote in a string is sent with a backslash, so that it does not end the string for the board") {
+        val text = ASSyntax.createString("\",9,\"")
+        lineText(ASSyntax.createLiteral("say", text)) shouldBe """say("\",9,\"")"""
+        lineText(ASSyntax.parseLiteral("""say(["a\"b"],c("d\"e"))[f("g\"h")]""")) shouldBe """say(["a\"b"],c("d\"e"))[f("g\"h")]"""
+    }
+
+    test("the two backslashes that Jason reads from a program stay two, which a board reads as one; one from elsewhere is escaped") {
+        lineText(ASSyntax.parseLiteral("""say("C:\\maps")""")) shouldBe """say("C:\\maps")"""
+        lineText(ASSyntax.createLiteral("say", ASSyntax.createString("C:\\"))) shouldBe """say("C:\\")"""
+    }
+
     test("a string is sent without its quotes") {
         lineText(ASSyntax.createString("left::raw text")) shouldBe "left::raw text"
     }

@@ -35,7 +35,7 @@ class ProjectCheck(private val project: Project) {
     fun findingsInFiles(): List<Finding> =
         ProjectFileRules.check(project) + FilterRules.check(project) + PerceptFileRules.check(project)
 
-    /** Returns the findings in [program], one of the project's, in the order of its text. */
+    /** Returns the findings in [program], one of the project's programs, in the order of its text. */
     fun findingsIn(program: AgentProgram): List<Finding> {
         val report = Report(program::place)
         val scene = Scene(facts, program)

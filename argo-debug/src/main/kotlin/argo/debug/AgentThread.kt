@@ -53,5 +53,5 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     }
 }
 
-/** What a debugger asked for cannot be had; [message] says why, for a person. */
+/** A debugger has asked for something impossible; [message] says why, for a person. */
 internal class DebugException(message: String) : Exception(message)

@@ -17,7 +17,7 @@ import kotlin.concurrent.thread
 /**
  * Lets debuggers on this computer reach agents, by the Debug Adapter Protocol over TCP. Safe for use by several threads.
  *
- * @param wanted the port; 0: any that is free
+ * @param wanted the port; 0: any free port
  */
 internal class DebugServer(wanted: Int) : AutoCloseable {
     private val socket = ServerSocket(wanted, BACKLOG, InetAddress.getLoopbackAddress())
@@ -77,7 +77,7 @@ internal class DebugServer(wanted: Int) : AutoCloseable {
         }
     }
 
-    /** Returns true if [input] begins as the protocol does. A page in a browser, for one, begins with a method of HTTP. */
+    /** Returns true if [input] begins as the protocol does. A page in a browser, for example, begins with a method of HTTP. */
     private fun isDebugger(input: InputStream): Boolean = try {
         val begin = "Content-Length:"
         input.mark(begin.length)

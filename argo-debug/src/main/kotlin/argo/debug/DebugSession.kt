@@ -48,8 +48,8 @@ import java.util.logging.Logger
 
 /**
  * The conversation with one debugger, which sees each agent as a thread, its intention as the stack of that thread, and the plans of the
- * intention as frames. The thread that reads from the debugger calls the functions of the protocol; agents call back on their threads, and
- * what the debugger is told goes out on another one, so no agent waits for a debugger.
+ * intention as frames. The thread that reads from the debugger calls the functions of the protocol, and agents call back on their threads.
+ * Another thread sends messages to the debugger, so no agent waits for it.
  *
  * @param agents the agents, which come and go
  */
@@ -238,7 +238,7 @@ internal class DebugSession(private val agents: List<AgentThread>) : IDebugProto
         tell { it.thread(event("exited", thread)) }
     }
 
-    /** Ends the session: the agents forget its breakpoints, and those that stand for it only go on. Idempotent. */
+    /** Ends the session: the agents forget its breakpoints, and agents that stand only for it go on. Idempotent. */
     fun end() {
         synchronized(followed) { followed.values.forEach(AutoCloseable::close) }
         agents.forEach { it.pausing.release(this) }

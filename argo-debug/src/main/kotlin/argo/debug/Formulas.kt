@@ -13,8 +13,8 @@ import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
 /**
- * Returns what [expression] is to [agent]: the value of a variable or of an arithmetic expression, or the solutions of a formula as in a
- * plan's context. For the agent's thread.
+ * Returns the meaning of [expression] for [agent]: the value of a variable or of an arithmetic expression, or the solutions of a formula as
+ * in a plan's context. For the agent's thread.
  *
  * @param un the variables of a plan; null: there is none
  * @throws DebugException if [expression] is neither, or would act
@@ -46,7 +46,7 @@ private fun solutions(formula: LogicalFormula, expression: String, agent: Agent,
     }
 }
 
-/** Refuses internal actions, which may act and whose results a recording would lack. */
+/** Refuses internal actions: they may act, and a recording would lack their results. */
 private fun requirePure(formula: LogicalFormula): LogicalFormula {
     val action = actionIn(formula) ?: return formula
     throw DebugException("$action is an internal action, which may act; ask for beliefs, such as dist(front,X) & X < 40")

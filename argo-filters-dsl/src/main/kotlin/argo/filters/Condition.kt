@@ -4,10 +4,11 @@ package argo.filters
 sealed interface Condition {
 
     /**
-     * A condition on the argument at [index], counted from 0. A percept without that argument does not meet it.
+     * A condition on the argument at [index], counted from 0. A percept without that argument does not meet the condition.
      *
-     * @property until a second limit. Once a sensor's number has met [test], the condition holds as long as the numbers meet the same
-     * comparison with this limit. Null: it holds only while they meet [test]. Percepts that differ only in this argument are of one sensor
+     * @property until a second limit. The second limit: once a sensor's number has met [test], the condition holds as long as the numbers
+     * meet the same comparison with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in
+     * this argument are of one sensor
      * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
     data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
@@ -25,7 +26,7 @@ sealed interface Condition {
 
     /**
      * A condition on the annotations called [name]: the first argument of one such annotation must meet all [tests]. Without tests, the
-     * percept only needs an annotation [name]. A percept that has none does not meet the condition.
+     * percept only needs an annotation [name]. A percept that has no such annotation does not meet the condition.
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())

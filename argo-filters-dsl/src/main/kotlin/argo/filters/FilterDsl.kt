@@ -19,7 +19,7 @@ annotation class FilterDsl
  * ```
  *
  * @param name the name by which agents call the filter
- * @param onSwitch the fate of the beliefs that the filter hides when an agent changes to it
+ * @param onSwitch decides about the beliefs that the filter hides when an agent changes to it
  * @throws IllegalArgumentException if [name] cannot be a filter's name, or a predicate, a value or a pattern cannot be read
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
@@ -155,9 +155,9 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
 
 /** The rules of a filter that keeps. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
-    /** Keeps the percepts of [predicate] that meet all [conditions]; as [DropRules.drop]. */
+    /** Keeps the percepts of [predicate] that meet all [conditions]; like [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
 
-    /** Keeps the percepts of a declared type that meet all [conditions]; as [DropRules.drop]. */
+    /** Keeps the percepts of a declared type that meet all [conditions]; like [DropRules.drop]. */
     fun <T : PerceptType> keep(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }

@@ -22,7 +22,7 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** A message ends with the expectation, so the end of a long message is kept too. */
+        /** The end of a long message is kept because it says what is expected. */
         const val SHOWN_LAST = 250
     }
 }

@@ -97,7 +97,7 @@ sealed interface GroundTerm {
         }
 
         /**
-         * Returns [text], which begins like a variable, without the underscores in front and with the first letter in lower case. Null:
+         * Returns [text], which begins like a variable, without the underscores in front and with its first letter in lower case. Null:
          * Jason does not read the result as an atom or a structure.
          */
         internal fun inLowerCase(text: String): String? =

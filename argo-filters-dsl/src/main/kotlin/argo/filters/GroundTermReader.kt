@@ -67,7 +67,7 @@ internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : Term
     override fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
 
     companion object {
-        /** No board nests terms deeper. The limit keeps hostile text from exhausting the stack. */
+        /** No board nests terms deeper. The limit protects the stack from hostile text. */
         const val MAX_DEPTH = 64
     }
 }

@@ -13,7 +13,9 @@ internal class LinearPattern(pattern: String) {
 
     init {
         require(pattern.length <= MAX_LENGTH) { "the pattern is ${pattern.length} characters long; at most $MAX_LENGTH are expected" }
-        require(repetitions(pattern) <= MAX_REPETITIONS) { "the counts in '$pattern' repeat more than $MAX_REPETITIONS times together" }
+        require(repetitions(pattern) <= MAX_REPETITIONS) {
+            "the counts in '$pattern' repeat more than $MAX_REPETITIONS times together; use smaller counts"
+        }
         compiled = try {
             Pattern.compile(pattern, Pattern.DOTALL)
         } catch (e: PatternSyntaxException) {
@@ -24,7 +26,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns an upper bound of the product of nested counts. RE2's compiler writes each repetition out. */
+    /** Returns an upper bound of the product of nested counts. RE2's compiler writes each repetition out in full. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 

@@ -28,17 +28,17 @@ data class Rule(
 }
 
 /**
- * Holds percepts back that come too soon, or that differ too little from the percept last let through.
+ * Holds percepts back that come too soon, or that differ too little from the last percept that was let through.
  *
  * The rate applies to each kind of percept separately. Percepts that differ only in numbers are of one kind: `dist(f,2)` and `dist(f,1)`
- * are, `dist(b,1)` is not. A percept is held back while the interval has not ended *and* no number has moved by its deadband. A held-back
- * percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session delivers it
- * [SETTLING_MS] after it began to hold percepts back.
+ * are, but `dist(b,1)` is not. A percept is held back while the interval has not ended *and* no number has moved by its deadband. A
+ * held-back percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session delivers it
+ * [SETTLING_MS] after it began to hold percepts of the kind back.
  *
  * Only an [argo.filters.matching.FilterSession], which knows the time, holds percepts back.
  *
  * @property everyMs at most one percept is let through in this interval, in milliseconds; null: there is no interval
- * @property deadbands the distances by which numbers must move for a percept to be let through at once
+ * @property deadbands the distances by which numbers must move so that a percept is let through at once
  * @throws IllegalArgumentException if there is neither an interval nor a deadband, if an argument has two deadbands, or if the interval is
  *   below 1 ms
  */
@@ -63,7 +63,7 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
  * The distance by which a number must move for its percept to be let through.
  *
  * @property argument the argument's position, counted from 0; null: each argument that is a number
- * @property width the least distance. A percept is held back if its number is closer to the number last let through.
+ * @property width the least distance. A percept is held back if its number is closer to that of the last percept that was let through.
  * @throws IllegalArgumentException if [width] is not a finite number above 0, or [argument] is negative
  */
 data class Deadband(val argument: Int?, val width: Double) {

@@ -24,7 +24,7 @@ open class RuleConditions internal constructor() {
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** The annotations called [name]. One of them must meet the test: `annotation("q") lt 0.5`. */
+    /** The annotations called [name]. One annotation called [name] must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
@@ -45,7 +45,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Holds back percepts that come less than [ms] milliseconds after the percept last let through: `everyMs(500)`; see [Rate].
+     * Holds back percepts that come less than [ms] milliseconds after the last percept that was let through: `everyMs(500)`; see [Rate].
      *
      * @throws IllegalArgumentException if the rule already has another interval
      */

@@ -2,8 +2,8 @@ package argo.filters
 
 /**
  * A rule for percepts of noisy sensors. For each percept that meets it, the rule selects one of the last percepts of the same sensor to
- * stand in: the newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide over the
- * selected percept, and so do critical rules if they [say so][CriticalRule.smoothed].
+ * stand in: the newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide about the
+ * selected percept; critical rules do so only if they [say so][CriticalRule.smoothed].
  *
  * Percepts that differ only in [argument] are of one sensor: `dist(f,30)` and `dist(f,31)` if argument 1 is smoothed, but not `dist(b,30)`.
  * A percept without a number in [argument] stands for itself. Percepts pass [maxRate] first, then [outliers], then [median].
@@ -12,11 +12,12 @@ package argo.filters
  *
  * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
  * @property argument the position of the number that is smoothed, counted from 0
- * @property maxRate the most by which the number can change in a second; null: any. A percept that differs more from the last credible one
- * is not credible. After three such percepts in a row that can follow each other, the third is credible again
- * @property outliers describes percepts that are not credible since they are far from most others; null: there are none
- * @property median the odd number of last credible percepts of which the middle one is selected; null: the newest is selected. While there
- * are fewer percepts, the middle one of these is selected, of two the newer
+ * @property maxRate the most by which the number can change in a second; null: there is no limit. A percept whose number differs more from
+ * that of the last credible percept is not credible. After three percepts in a row that are not credible, and of which each can follow the
+ * one before, the third is credible again
+ * @property outliers describes which percepts are not credible since they are far from most others; null: none
+ * @property median the odd number of last credible percepts; the middle one of them is selected; null: the newest is selected. While there
+ * are fewer percepts, the middle one of those is selected; of two, the newer one
  * @property annotates whether selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
  * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
  */
@@ -68,10 +69,10 @@ data class SmoothingRule(
 /**
  * Percepts with a number further than [deviations] deviations from the median of their sensor's last numbers, their own included. A
  * deviation is 1.4826 times the median of the distances to that median, which is the standard deviation of normal noise. A deviation is at
- * least one unit of the percept's last digit. Of the first two percepts of a sensor neither is an outlier.
+ * least one unit of the percept's last digit. None of the first two percepts of a sensor is an outlier.
  *
  * @property deviations the greatest distance from the median, in deviations
- * @property among the odd number of last percepts for the median
+ * @property among number of last percepts for the median; it is odd
  * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
  * [SmoothingRule.MAX_WINDOW]
  */

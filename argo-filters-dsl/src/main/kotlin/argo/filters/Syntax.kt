@@ -95,7 +95,7 @@ internal object Syntax {
                 '\n', '\r' -> return -1
                 '\\' -> {
                     if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
-                    i += 2 // the loop passes the digits behind \u as letters
+                    i += 2 // the loop takes the digits behind \u for letters
                 }
                 else -> i++
             }

@@ -92,7 +92,7 @@ infix fun NumberArgument.deadband(width: Number) {
 context(rule: TypedRule)
 fun PerceptType.arity(count: Int): Unit = rule.conditions.arity(count)
 
-/** Holds back percepts that come less than [ms] milliseconds after the percept last let through: `everyMs(500)`; see [Rate]. */
+/** Holds back percepts that come less than [ms] milliseconds after the last percept that was let through: `everyMs(500)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
 
@@ -108,7 +108,7 @@ fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 context(rule: TypedRule)
 fun PerceptType.hasAnnotation(name: String): Unit = rule.conditions.hasAnnotation(name)
 
-/** The annotations called [name]. One of them must meet the test: `annotation("q") lt 0.5`. */
+/** The annotations called [name]. One annotation called [name] must meet the test: `annotation("q") lt 0.5`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String): AnyAnnotation = rule.conditions.annotation(name)
 

@@ -73,7 +73,7 @@ internal class FleetMas :
         Logger.getLogger("").handlers.filterIsInstance<ConsoleHandler>().forEach { it.formatter = MASConsoleLogFormatter() }
     }
 
-    /** Creates those of [agents] that belong to this computer, joins [fleet], and then has these agents begin. */
+    /** Creates those of [agents] that belong to this computer, joins [fleet], and then lets these agents begin. */
     fun run(fleet: Fleet, agents: List<PlacedAgent>, hosts: Int) {
         this.fleet = fleet
         placed = agents

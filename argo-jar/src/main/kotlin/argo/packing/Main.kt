@@ -32,7 +32,7 @@ fun main(arguments: Array<String>) {
 
 private val TOOLS = mapOf("Main-Class" to "argo.tools.MainKt")
 
-/** `java -jar` finds `argo.jar` beside the jar of fleets. */
+/** `java -jar` finds `argo.jar` next to the jar of fleets. */
 private val FLEETS = mapOf("Main-Class" to "argo.fleet.MainKt", "Class-Path" to "argo.jar")
 
 private fun manifest(version: String) = mapOf(

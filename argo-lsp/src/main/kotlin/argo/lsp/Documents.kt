@@ -39,7 +39,7 @@ import org.eclipse.lsp4j.services.TextDocumentService
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.Executor
 
-/** Takes the editor's texts and changes. Has the [worker] answer a request about the text as it was when the request came. */
+/** Takes the editor's texts and changes. Makes the [worker] answer a request about the text as it was when the request came. */
 internal class Documents(
     private val texts: OpenTexts,
     private val worker: Executor,
@@ -110,7 +110,7 @@ internal class Documents(
     private fun <T> at(parameters: TextDocumentPositionParams, none: T, find: Language.(Text, Int) -> T): CompletableFuture<T> =
         answer(parameters.textDocument.uri, none) { text -> find(text, text.offset(parameters.position)) }
 
-    /** Has the worker call [find] with the editor's present text. The answer is [none] if the text or its language is unknown. */
+    /** Makes the worker call [find] with the editor's present text. The answer is [none] if the text or its language is unknown. */
     private fun <T> answer(uri: String, none: T, find: Language.(Text) -> T): CompletableFuture<T> {
         val text = texts[uri]
         val language = languages.of(uri)

@@ -6,20 +6,20 @@ import java.nio.ByteOrder
 
 /**
  * The values of a message in plain CDR, version 1 of XCDR (OMG DDS-XTypes 1.3, 7.4.1), read from the beginning to the end. Functions throw
- * [BufferUnderflowException] if the message ends before. For one thread.
+ * [BufferUnderflowException] if the message ends too early. For one thread.
  */
 internal class CdrInput(data: ByteArray) {
     private val bytes: ByteBuffer
 
     init {
         if (data.size < HEADER_BYTES) throw McapException("a message in CDR has at least $HEADER_BYTES bytes, and not ${data.size}")
-        val form = data[0].toInt() shl Byte.SIZE_BITS or data[1].toInt()
-        if (form != BIG && form != LITTLE) throw McapException("the form $form of CDR cannot be read")
-        bytes = ByteBuffer.wrap(data, HEADER_BYTES, data.size - HEADER_BYTES).slice() // alignment counts from behind the header
+        val form = data.take(2).joinToString("") { "%02x".format(it) }
+        if (form != BIG && form != LITTLE) throw McapException("it is in the form $form of CDR, and only $BIG and $LITTLE can be read here")
+        bytes = ByteBuffer.wrap(data, HEADER_BYTES, data.size - HEADER_BYTES).slice() // alignment counts from the end of the header
         bytes.order(if (form == LITTLE) ByteOrder.LITTLE_ENDIAN else ByteOrder.BIG_ENDIAN)
     }
 
-    /** Returns the bytes at the place of the next value of [size] bytes, which is a multiple of that. */
+    /** Returns the bytes, at the place of the next value of [size] bytes: a multiple of [size] from the beginning. */
     fun at(size: Int): ByteBuffer {
         val place = (bytes.position() + size - 1) / size * size
         if (place > bytes.limit()) throw BufferUnderflowException()
@@ -32,20 +32,20 @@ internal class CdrInput(data: ByteArray) {
         if (bytes.hasRemaining()) bytes.get()
     }
 
-    /** Reads the number of the items that follow. */
+    /** Reads how many items follow. */
     fun length(): Int = requireRoom(at(Int.SIZE_BYTES).getInt())
 
-    /** Returns [length] if so many items, of a byte at least, may follow. */
+    /** Returns [length] if that many items of at least a byte can follow. */
     fun requireRoom(length: Int): Int = if (length in 0..bytes.remaining()) length else throw BufferUnderflowException()
 
     fun bytes(length: Int): ByteArray = ByteArray(length).also(bytes::get)
 
-    /** Reads a text. A zero is behind it, which its length counts. */
+    /** Reads a text. A zero, which the length counts, is behind the text. */
     fun text(): String = bytes(length()).decodeToString().removeSuffix("\u0000")
 
     private companion object {
         const val HEADER_BYTES = 4
-        const val BIG = 0
-        const val LITTLE = 1
+        const val BIG = "0000"
+        const val LITTLE = "0001"
     }
 }

@@ -1,6 +1,6 @@
 package argo.mcap
 
-/** The bytes with which a file begins and ends. The sixth is the version of the format. */
+/** The bytes with which a file begins and ends. The sixth byte is the version of the format. */
 internal val MAGIC = byteArrayOf(0x89.toByte()) + "MCAP0\r\n".encodeToByteArray()
 
 internal const val VERSION_AT = 5

@@ -5,7 +5,7 @@ import java.nio.ByteOrder
 
 /**
  * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md) of independent blocks, without
- * checksums, since a chunk has its own. For one thread.
+ * checksums, since a chunk has its own checksum. For one thread.
  *
  * Other programs, such as those with the libraries in C++ and Python, write blocks that refer to earlier blocks. Of the libraries of Java,
  * lz4-java refuses such frames, and aircompressor, which unpacks Zstandard here, knows no frames.
@@ -92,8 +92,8 @@ internal class Lz4 {
         private const val FULL_BYTE = 255
 
         /**
-         * Returns the [length] bytes in [frame]. Reads any frame without a dictionary, and ignores its checksums.
-         * @throws McapException if [frame] does not contain that many bytes
+         * Returns the [length] bytes that are packed in [frame]. Reads any frame without a dictionary, and ignores its checksums.
+         * @throws McapException if [frame] does not contain [length] bytes
          */
         fun decompress(frame: ByteBuffer, length: Int): ByteBuffer = try {
             Frame(frame.order(ByteOrder.LITTLE_ENDIAN), ByteArray(length)).read()

@@ -6,7 +6,8 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0, whose chunks are not compressed, or by LZ4 or Zstandard. Of a damaged or cut-off file it reads the whole parts.
+ * Reads a file of MCAP version 0 with chunks that are compressed by LZ4 or Zstandard, or not at all. Of a damaged or cut-off file it reads
+ * the parts that are whole.
  *
  * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *
@@ -51,7 +52,7 @@ class McapReader(path: Path) : Closeable {
      * Returns the messages in the order in which they were written.
      *
      * @param from the first log time in ns
-     * @param until the end of the log times in ns; a message with just this time is not returned
+     * @param until the end of the log times in ns; a message with exactly this time is not returned
      * @param topics the channels' topics; null: all
      * @return a sequence that reads the file during the iteration, and throws [McapException] if the file has changed
      */

@@ -1,6 +1,5 @@
 package argo.mcap
 
-import io.airlift.compress.zstd.ZstdDecompressor
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Path
@@ -16,29 +15,13 @@ internal class Packed(private val compression: String, private val bytes: Long) 
     fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
         "" -> records
         Lz4.NAME -> Lz4.decompress(records, length())
-        ZSTD -> unpackedByZstd(records)
+        Zstd.NAME -> ByteBuffer.wrap(Zstd.decompress(records.bytes(records.remaining().toLong()), length())).order(ByteOrder.LITTLE_ENDIAN)
         else -> throw McapException("it is a chunk compressed by $compression, which cannot be read here")
     }
 
     private fun length(): Int {
         if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes, which is too long")
         return bytes.toInt()
-    }
-
-    private fun unpackedByZstd(records: ByteBuffer): ByteBuffer {
-        val packed = ByteArray(records.remaining()).also(records::get)
-        val target = ByteArray(length())
-        val written = try {
-            ZstdDecompressor().decompress(packed, 0, packed.size, target, 0, target.size)
-        } catch (damaged: RuntimeException) { // thrown for damaged data
-            throw McapException("its compressed bytes are damaged: ${damaged.message}")
-        }
-        if (written != target.size) throw McapException("it has $written bytes instead of ${target.size}")
-        return ByteBuffer.wrap(target).order(ByteOrder.LITTLE_ENDIAN)
-    }
-
-    private companion object {
-        const val ZSTD = "zstd"
     }
 }
 
@@ -102,7 +85,15 @@ internal class McapScan(private val input: McapInput) {
             val version = Char(start[VERSION_AT].toInt() and 0xFF)
             throw McapException("${input.path} is of version '$version' of the MCAP format; only version 0 can be read here")
         }
-        if (differing.isNotEmpty()) throw McapException("${input.path} is no MCAP file: it does not begin as one")
+        if (differing.isNotEmpty()) throw McapException("${input.path} is no MCAP file: ${otherFormat(start)}")
+    }
+
+    private fun otherFormat(start: ByteArray) = when {
+        start.decodeToString() == "SQLite f" -> "it is a database of SQLite; \"ros2 bag convert\" makes an MCAP file of a bag in SQLite"
+        start.decodeToString() == "#ROSBAG " ->
+            "it is a bag of ROS 1; rosbags-convert, of the Python package rosbags, makes one of ROS 2 of it, with --dst-storage mcap"
+        Zstd.isIn(start) -> "all of it is compressed by Zstandard; \"zstd -d\" unpacks it"
+        else -> "it does not begin as one"
     }
 
     private fun checkEnd(at: Long) {

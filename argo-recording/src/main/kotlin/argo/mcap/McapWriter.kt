@@ -7,7 +7,8 @@ import java.util.zip.CRC32
  * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks compressed by LZ4, each with a checksum and an index, and a
  * summary at the end. A reader can read a cut-off file up to its last whole chunk.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink. Then only parts that were whole before are usable.
+ * For one thread. Each function throws the [java.io.IOException] of the sink. After such an exception only parts that were whole before are
+ * usable.
  *
  * @param sink receives the file from its first byte on; [close] closes it
  * @param library the name of the program that writes the file
@@ -27,7 +28,10 @@ class McapWriter(
 
     private var written = 0L
 
-    /** The length of the file up to the last whole chunk, attachment or other record. Bytes of a failed function lie behind this length. */
+    /**
+     * The length of the file up to the last whole chunk, attachment or other record. Bytes that a failed function has written lie behind
+     * this length.
+     */
     var wholeBytes = 0L
         private set
 

@@ -25,7 +25,7 @@ internal class RecordBytes(capacity: Int = 256) {
         u32(bytes.size.toLong()).bytes(bytes)
     }
 
-    /** Writes the bytes of [write] behind their length in four bytes. */
+    /** Writes the bytes that [write] makes, preceded by their length in four bytes. */
     fun sized(write: RecordBytes.() -> Unit) = apply {
         val at = size
         u32(0).write()

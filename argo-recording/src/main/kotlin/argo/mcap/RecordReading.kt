@@ -16,7 +16,7 @@ internal fun ByteBuffer.u32(): Long {
     return int.toLong() and 0xFFFF_FFFFL
 }
 
-/** Reads a length, place or time. Refuses values from 2^63 on, which no file or clock reaches. */
+/** Reads a number for a length, a place or a time. Refuses values from 2^63 on, which no file or clock reaches. */
 internal fun ByteBuffer.u64(): Long {
     need(Long.SIZE_BYTES.toLong())
     return long.also { if (it < 0) throw McapException("a record has a number that is too large") }

@@ -60,7 +60,7 @@ class McapAttachment internal constructor(val name: String, val mediaType: Strin
     override fun toString() = "$name ($mediaType)"
 }
 
-/** Names and values under a name, such as versions. */
+/** Some values by their names, such as versions, under a common name. */
 data class McapMetadata(val name: String, val values: Map<String, String>)
 
 /** A file cannot be read as MCAP, or contains something that this version cannot read. */

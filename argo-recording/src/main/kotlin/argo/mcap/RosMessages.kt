@@ -13,19 +13,19 @@ import java.util.Base64
  * Reads messages of ROS 2 in a bag, which are in CDR, as the JSON that a rosbridge makes of them: `uint8[]` is text in base64, and a number
  * that is infinite or NaN is `null`. Immutable.
  *
- * @property types the types of the messages and of the messages in them, the own one first
+ * @property types the types of the messages and of the messages in them, the messages' own type first
  */
 class RosMessages private constructor(val types: List<RosType>) {
     private val own = types.first()
     private val byName = types.associateBy { it.name }
 
     /**
-     * Reads a message.
+     * Reads a message, which may be compressed by Zstandard.
      *
      * @throws McapException if [data] is no message of this type, or one that cannot be read here
      */
     fun read(data: ByteArray): JsonObject = try {
-        Reading(CdrInput(data)).message(own, 0)
+        Reading(CdrInput(if (Zstd.isIn(data)) Zstd.decompress(data) else data)).message(own, 0)
     } catch (_: BufferUnderflowException) {
         throw McapException("a message of ${own.name} ends within a field")
     }
@@ -70,7 +70,7 @@ class RosMessages private constructor(val types: List<RosType>) {
     }
 
     companion object {
-        /** The most values of a message, `uint8[]` not counted, so that a damaged one takes no memory. */
+        /** The most values of a message, `uint8[]` not counted, so that a damaged message takes no memory. */
         const val MAX_VALUES = 1_000_000
 
         private const val MAX_DEPTH = 50

@@ -75,7 +75,8 @@ internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.n
     calls.asSequence().flatMap { it.answers }.flatMap { it.values }
 
 /**
- * The change from one list of percepts to the next. The first [keep] and the last [keepLast] percepts stay, and [now] stands between them.
+ * The change from one list of percepts to the next. The first [keep] and the last [keepLast] percepts stay, and [now] replaces the percepts
+ * between them.
  */
 @Serializable
 data class PerceptChange(
@@ -93,7 +94,7 @@ data class PerceptChange(
     internal val others: Map<Int, String> = emptyMap(),
 )
 
-/** A message between agents, such as Jason's `.send` sends. */
+/** A message between agents, as Jason's `.send` makes it. */
 @Serializable
 data class Mail(
     @Holds("the message's kind, such as tell or achieve")
@@ -270,7 +271,7 @@ data class PerceivedSnapshot(
     val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
 
-/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: all. */
+/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: all texts. */
 internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
     kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 

@@ -11,7 +11,7 @@ internal val FORMATS = setOf("1", FORMAT)
 
 internal fun agentMetadata(name: String) = "agent/$name"
 
-/** Returns the name of the metadata for the file that [agent] included as its [number]th. */
+/** Returns the metadata's name for the file that [agent] included as number [number]. */
 internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$number"
 
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
@@ -21,5 +21,5 @@ internal fun isProgram(name: String) = name.startsWith("program/") && '/' in nam
 
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"
 
-/** Those of Jason's settings for all agents that change how agents behave. */
+/** The parts of Jason's settings for all agents that change how agents behave. */
 internal val CONFIG = listOf(Config.SHORT_UNNAMED_VARS, Config.KQML_RECEIVED_FUNCTOR)

@@ -135,6 +135,17 @@ class DamagedFileSpec : FunSpec({
         read(file).first shouldBe listOf("/robot/x 0 10 {}", "/robot/x 1 11 {}", "/robot/x 2 12 {}")
     }
 
+    test("a bag in another format is refused with what makes an MCAP file of it") {
+        for ((start, words) in listOf(
+            "SQLite format 3" to "it is a database of SQLite; \"ros2 bag convert\" makes an MCAP file",
+            "#ROSBAG V2.0\n" to "it is a bag of ROS 1; rosbags-convert",
+            "\u0028\u00B5\u002F\u00FD 123456" to "all of it is compressed by Zstandard; \"zstd -d\" unpacks it",
+        )) {
+            file.writeBytes(start.toByteArray(Charsets.ISO_8859_1))
+            shouldThrow<McapException> { read(file) }.message shouldContain "is no MCAP file: $words"
+        }
+    }
+
     test("another file is refused, and a newer version of the format is called that") {
         file.writeBytes("getPercepts".encodeToByteArray())
         shouldThrow<McapException> { read(file) }.message shouldContain "is no MCAP file"

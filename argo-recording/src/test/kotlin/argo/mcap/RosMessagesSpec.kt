@@ -65,6 +65,13 @@ class RosMessagesSpec : FunSpec({
         checkCdr(Path.of("src/test/resources/cdr.jsonl").readLines())
     }
 
+    test("a message that is compressed by itself is read, as rosbags writes it with compression mode message") {
+        val messages = RosMessages.of(channel("string data")).shouldNotBeNull()
+        val compressed = bytes("28b52ffd200a51000000010000020000007800")
+        "${messages.read(compressed)}" shouldBe """{"data":"x"}"""
+        shouldThrow<McapException> { messages.read(compressed.copyOf(9)) }.message shouldContain "its compressed bytes"
+    }
+
     test("types are read with their constants and defaults") {
         val definition = """
             # FOO = a comment
@@ -93,7 +100,7 @@ class RosMessagesSpec : FunSpec({
         refusal("A a", "00010000 00") shouldContain "the type my_msgs/A is nested too deep, or holds itself"
         refusal("B a", "00010000 00") shouldContain "the bag does not describe the type my_msgs/B"
         refusal("wstring a", "00010000 00") shouldContain "my_msgs/A has a wstring, which each middleware"
-        refusal("int32 a", "0002 0000 00000000") shouldContain "the form 2 of CDR cannot be read"
+        refusal("int32 a", "0002 0000 00000000") shouldContain "it is in the form 0002 of CDR, and only 0000 and 0001 can be read here"
         refusal("int32 a", "0001") shouldContain "at least 4 bytes"
         refusal("a message", "00010000") shouldContain "the bag does not describe the type my_msgs/a"
         refusal("int32", "00010000") shouldContain "\"int32\" is no field of a message of ROS"

@@ -15,16 +15,23 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import java.util.concurrent.ForkJoinPool
 
-/** A robot, or a bag in its place, by the name of a port. [mapping] is the name of its mapping. */
+/** A robot, or a bag that replaces it, by the name of a port. [mapping] is the name of its mapping. */
 internal class RobotPort private constructor(val mapping: String, val connect: (BridgeListener, LineClock) -> Bridge) {
     companion object {
-        private val BAG = Regex("replay:(.+\\.mcap)(?:#(.*))?")
+        private const val ENDINGS = "mcap|db3|bag|zstd"
+        private val BAG = Regex("replay:(.+\\.(?:$ENDINGS)|[^#]+)(?:#.*)?")
+        private val ENDED = Regex(".*\\.(?:$ENDINGS)")
 
-        fun isBag(port: String) = BAG.matches(port)
+        /** Returns true if [port] names a bag, also one that cannot be read here. */
+        fun isBag(port: String) = fileIn(port) != null
 
-        /** @throws NoSuchPortException if [port] names neither */
+        private fun fileIn(port: String) = BAG.matchEntire(port)?.groupValues?.get(1)
+            ?.takeIf { ENDED.matches(it) || pathOf(it)?.let(Files::isDirectory) == true }
+
+        /** @throws NoSuchPortException if [port] names neither a robot nor a bag */
         fun of(port: String): RobotPort {
-            val (file, mapping) = BAG.matchEntire(port)?.destructured ?: return robot(port, RosAddress.of(port))
+            val file = fileIn(port) ?: return robot(port, RosAddress.of(port))
+            val mapping = port.removePrefix("replay:$file").removePrefix("#")
             return RobotPort(mapping.ifEmpty { RosAddress.USUAL_MAPPING }) { listener, clock ->
                 PlayedBridge(listener, clock, bagIn(port, file), ForkJoinPool.commonPool()) { _, _ -> }
             }
@@ -37,6 +44,7 @@ internal class RobotPort private constructor(val mapping: String, val connect: (
         /** @throws javino.PortException if [file] is no bag that can be read */
         fun bagIn(port: String, file: String): Bag {
             val path = pathOf(file) ?: throw NoSuchPortException(port, "there is no bag $file in ${Path.of("").toAbsolutePath()}")
+            if (Files.isDirectory(path)) throw NoSuchPortException(port, "$file is a folder; the bag is the file in it that ends in .mcap")
             return try {
                 Bag(path)
             } catch (unreadable: IOException) {

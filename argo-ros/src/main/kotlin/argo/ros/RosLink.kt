@@ -70,7 +70,7 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    // guarded by lock, as all below
+    // guarded by the lock, like all fields below
     private val poses = mapping.poses.distinctBy { it.topic } // several rules may be about one pose
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
@@ -108,6 +108,8 @@ internal class RosLink private constructor(
             changed.signalAll()
         }
 
+        override fun told(sentence: String, isTrouble: Boolean) = if (isTrouble) warn(sentence) else tell(sentence)
+
         override fun gone(reason: String) = this@RosLink.gone(reason)
     }
 
@@ -127,7 +129,7 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Takes the transforms in [message] of [topic], and the poses that follow from them. */
+    /** Takes the transforms in [message] of [topic], and the poses that result from them. */
     private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
         frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
         for (rule in poses) {
@@ -180,7 +182,7 @@ internal class RosLink private constructor(
         "queue_length" to one.queueLength,
     )
 
-    /** Waits for a message. If none has come after half of [timeoutMs], pings the bridge. */
+    /** Waits for a message. If no message has come after half of [timeoutMs], pings the bridge. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
         explain(lock.withLock { silent.next(clock.nanos()) })
@@ -217,13 +219,13 @@ internal class RosLink private constructor(
     }
 
     /**
-     * Ends a wait since [startNanos] without any message. Returns the held percepts if there are no subscriptions, null otherwise. Throws a
-     * [PortTimeoutException] if the bridge has given no sign of life during the wait.
+     * Ends a wait since [startNanos] without any message. Returns the held percepts if there are no subscriptions; null if there are some.
+     * Throws a [PortTimeoutException] if the bridge has given no sign of life during the wait.
      */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, a live bridge is enough
+        return if (subscribed.isEmpty()) topics.take(now) else null // if there are no subscriptions, it is enough that the bridge is alive
     }
 
     private fun await(nanos: Long) {
@@ -256,7 +258,7 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // a closing socket may accept the command and lose it
+        val isOver = bridge == null || !isOpen // a socket that is closing may accept the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 

@@ -52,7 +52,7 @@ class EncryptedRosLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "wss"
 }
 
-/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, by the mapping of that. */
+/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, by the mapping of the robot. */
 class BagLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "replay"
 

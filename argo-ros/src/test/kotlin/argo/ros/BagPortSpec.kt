@@ -43,15 +43,22 @@ class BagPortSpec : FunSpec({
         shouldThrow<NoSuchPortException> { open("replay:none.mcap#bag") }.message shouldContain "there is no bag none.mcap in "
         val text = tempfile(suffix = ".mcap").toPath().apply { writeText("no bag at all") }
         shouldThrow<PortFaultException> { open("replay:$text#bag") }.message shouldContain "it does not begin as one"
+        val database = tempfile(suffix = ".db3").toPath().apply { writeText("SQLite format 3") }
+        shouldThrow<PortFaultException> { open("replay:$database#bag") }.message shouldContain "\"ros2 bag convert\" makes an MCAP file"
+        shouldThrow<NoSuchPortException> { open("replay:${database.parent}#bag") }.message shouldContain "is a folder"
     }
 
     test("ros check compares a mapping with the types in a bag") {
         val file = tempfile(suffix = ".ros.yaml").toPath()
-        fun check(mapping: String): Pair<Int, String> {
+        fun check(mapping: String, seconds: Int = 1): Pair<Int, String> {
             file.writeText(mapping)
             val (out, err) = StringWriter() to StringWriter()
             val command = CommandLine(RosCheckCommand()).setOut(PrintWriter(out, true)).setErr(PrintWriter(err, true))
-            return command.execute("$file", "replay:$BAG", "--seconds", "1") to "$out$err"
+            return command.execute("$file", "replay:$BAG", "--seconds", "$seconds") to "$out$err"
+        }
+        check("percepts:\n  - /said std_msgs/msg/String", seconds = 2).let { (status, told) -> // its end is no mistake
+            status shouldBe 0
+            told shouldContain "the bag is over"
         }
         check("percepts:\n  - /image sensor_msgs/msg/Image -> size(widht)").let { (status, told) ->
             status shouldBe 1

@@ -6,14 +6,14 @@ import java.util.logging.Level
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** The warnings that [source] logs from now on. */
-internal class LoggedWarnings(source: Class<*>) : AutoCloseable {
+/** The warnings that [source] logs from now on, or the lines from [level] on. */
+internal class LoggedWarnings(source: Class<*>, level: Level = Level.WARNING) : AutoCloseable {
     private val logger = Logger.getLogger(source.name)
     val messages = CopyOnWriteArrayList<String>()
 
     private val handler = object : Handler() {
         override fun publish(record: LogRecord) {
-            if (record.level == Level.WARNING) messages += record.message
+            if (record.level.intValue() >= level.intValue()) messages += record.message
         }
 
         override fun flush() = Unit

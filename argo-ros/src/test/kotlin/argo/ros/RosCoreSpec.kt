@@ -41,25 +41,52 @@ private const val PYTHON = "/usr/bin/python3" // Debian's, which has rospy
 private const val ROSCORE = "/usr/bin/roscore"
 private const val NEEDED = "import rospy, rosservice, actionlib, tornado, sensor_msgs, std_srvs"
 
-/** A ROS 1 graph on this computer: a roscore, the robot of `src/test/ros/robot.py` and a bridge, `src/test/ros/bridge.py`. */
+/** The sources of `rosbridge_suite`, branch `ros1`, if somebody has put them there; no registry of packages has them. */
+private val SUITE: Path? = Path.of("build/rosbridge_suite").takeIf(Files::isDirectory)
+
+/**
+ * A ROS 1 graph on this computer: a roscore, the robot of `src/test/ros/robot.py` and a bridge, that of [SUITE] with its rosapi or else
+ * `src/test/ros/bridge.py`.
+ */
 private class RosGraph : AutoCloseable {
     private val logs: Path = Files.createTempDirectory("argo-ros-core")
     private val messages = logs.resolve("messages")
+    private val packages = logs.resolve("packages")
     private val master = freePort()
     private val processes = HashMap<String, Process>()
     val bridge = freePort()
 
     suspend fun start() {
-        run("messages.py", "argo_msgs", "$messages")
         startCore()
+        run("messages.py", "argo_msgs", "$messages")
         begin("robot", PYTHON, "src/test/ros/robot.py")
-        begin("bridge", PYTHON, "src/test/ros/bridge.py", "$bridge")
+        if (SUITE == null) begin("bridge", PYTHON, "src/test/ros/bridge.py", "$bridge") else startSuite(SUITE)
         awaitPort(bridge)
+    }
+
+    private fun startSuite(suite: Path) {
+        listOf("src/test/ros/rosauth", "$suite/rosbridge_msgs", "$suite/rosapi").forEach { run("messages.py", it, "$messages") }
+        PACKAGES.forEach(::describe)
+        beginApi(suite)
+        begin("bridge", PYTHON, "$suite/rosbridge_server/scripts/rosbridge_websocket.py", "--address", "127.0.0.1", "--port", "$bridge")
+    }
+
+    private fun beginApi(suite: Path) = begin("rosapi", PYTHON, "$suite/rosapi/scripts/rosapi_node")
+
+    /** Writes the description of the package [name], without which rosbridge does not load messages; Debian's for Python have none. */
+    private fun describe(name: String) {
+        val maintainer = "<maintainer email=\"a@example.org\">a</maintainer>"
+        val rest = "<version>0.0.0</version><description>$name</description>$maintainer<license>a</license>"
+        val folder = Files.createDirectories(packages.resolve(name))
+        Files.writeString(folder.resolve("package.xml"), "<package><name>$name</name>$rest</package>")
     }
 
     suspend fun startCore() {
         begin("core", PYTHON, ROSCORE, "-p", "$master")
         awaitPort(master)
+        if (SUITE == null || "rosapi" !in processes) return
+        end("rosapi") // which does not register with another roscore by itself
+        beginApi(SUITE)
     }
 
     private fun begin(name: String, vararg command: String) {
@@ -77,7 +104,8 @@ private class RosGraph : AutoCloseable {
     private fun builder(vararg command: String) = ProcessBuilder(*command).apply {
         environment() += mapOf(
             "ROS_MASTER_URI" to "http://127.0.0.1:$master", "ROS_HOSTNAME" to "127.0.0.1", "ROS_LOG_DIR" to "$logs",
-            "ROS_PACKAGE_PATH" to "/usr/share", "PYTHONUNBUFFERED" to "1", "PYTHONPATH" to "$messages",
+            "ROS_PACKAGE_PATH" to "/usr/share:$packages:$SUITE:argo_msgs", "PYTHONUNBUFFERED" to "1",
+            "PYTHONPATH" to "$messages:$SUITE/rosbridge_library/src:$SUITE/rosbridge_server/src",
         )
     }
 
@@ -97,7 +125,7 @@ private class RosGraph : AutoCloseable {
         .joinToString("\n") { "--- ${it.fileName}\n${Files.readString(it).takeLast(SHOWN)}" }
 
     override fun close() {
-        listOf("bridge", "robot", "core").forEach(::end)
+        listOf("bridge", "rosapi", "robot", "core").forEach(::end)
         logs.toFile().deleteRecursively()
     }
 
@@ -105,6 +133,8 @@ private class RosGraph : AutoCloseable {
 
     private companion object {
         const val SHOWN = 2_000
+        val PACKAGES = listOf("actionlib", "rosauth", "roscpp", "std_srvs") +
+            listOf("actionlib", "geometry", "rosgraph", "sensor", "std").map { "${it}_msgs" }
     }
 }
 

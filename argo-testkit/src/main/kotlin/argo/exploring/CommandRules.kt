@@ -14,9 +14,9 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends one of [commands] again, [within] this time from its next perception of the board. The rule
- * applies only if the agent then perceives the same as when it sent the command. An agent that breaks the rule may believe that it has
- * stopped while it drives on.
+ * If one of [commands] fails, the agent sends one of [commands] again, [within] this time after it next perceives the board. The rule
+ * applies only if the agent perceives the same at that time as when it sent the command. An agent that breaks the rule may believe that it
+ * has stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
     ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->

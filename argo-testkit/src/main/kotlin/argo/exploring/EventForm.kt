@@ -12,8 +12,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields. Kotlin code, JSON and simpler events are made from this form. The [fields] are in the order of
- * the constructor; each is a [Duration], an [Int] or a [String].
+ * A [WorldEvent] as its kind and its fields. This form is turned into Kotlin code, JSON and simpler events. The [fields] are in the order
+ * of the constructor; each is a [Duration], an [Int] or a [String].
  */
 internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
     /** The event's constructor call in Kotlin. */
@@ -96,7 +96,7 @@ fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n
  */
 fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonObject ?: throw noEvents("$it is no object")).event() }
 
-/** Uses Jason's JSON library, since in `argo.jar` the classes of the filters' library have other names. */
+/** Uses Jason's JSON library: in `argo.jar` the classes of the filters' JSON library have other names. */
 private fun arrayIn(json: String): List<JsonValue> = try {
     Json.createParser(StringReader(json)).use { parser ->
         if (parser.next() != JsonParser.Event.START_ARRAY) throw noEvents("it is no array")

@@ -21,8 +21,8 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * Returns [events] with one more fault, which hits a command of [run], the run with these events. The fault hits the command's board
-     * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
+     * Returns [events] with one more fault, which hits a command of [run]; [run] was played with [events]. The fault hits the command's
+     * board shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
      * exploration plays no fault that hits commands.
      *
      * A command is on its way so briefly that faults drawn only from a seed seldom hit it.

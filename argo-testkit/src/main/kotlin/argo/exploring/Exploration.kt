@@ -50,7 +50,7 @@ class Exploration internal constructor() {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
 
-    /** Lets [sender], which is not among the agents, send [agent] this message at any time: see the test kit's `hears`. */
+    /** Lets [sender], who is not one of the agents, send [agent] this message at any time: see the test kit's `hears`. */
     fun message(agent: String, sender: String, performative: String, content: String) {
         messages += Hears(Duration.ZERO, agent, sender, performative, content)
     }
@@ -63,7 +63,7 @@ class Exploration internal constructor() {
         kept = rules
     }
 
-    /** Sets the faults to play; otherwise all are played. With no fault, only sensors change and messages come. */
+    /** Sets the faults to play; without this call all are played. With no fault, only sensors change and messages come. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }
@@ -161,7 +161,7 @@ class ExploredBoard internal constructor() {
  * The percepts that a sensor can show.
  *
  * @property percepts all percepts; an empty text is no percept
- * @property first the index of the percept at first
- * @property range the numbers in the percepts; null: they have none
+ * @property first the index of the percept that the sensor shows first
+ * @property range the numbers in the percepts; null: the percepts have no number
  */
 internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

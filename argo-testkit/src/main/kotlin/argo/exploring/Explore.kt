@@ -43,7 +43,7 @@ fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> 
  * Plays [events] against the agents in [source] and checks the rules: the spec that [explore] prints calls it.
  *
  * @throws AssertionError if a rule is broken
- * @throws IllegalArgumentException as [runOf] does
+ * @throws IllegalArgumentException like [runOf]
  */
 fun shouldKeepRules(source: String, vararg events: WorldEvent, describe: Exploration.() -> Unit): Run {
     val scenario = scenario(source, describe)

@@ -60,7 +60,7 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
 }
 
 /**
- * No plan sends one of [commands] while [percept] holds in the agent's percepts, and has held for [after].
+ * No plan sends one of [commands] while [percept] holds in the agent's percepts, once it has held for [after].
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -129,8 +129,8 @@ private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
     /**
-     * Returns each message with which the condition begins to hold, and the message with which it ends; null: the condition holds at the
-     * end of the run.
+     * Returns each message with which the condition begins to hold, with the message with which it ceases to; null: it holds until the run
+     * ends.
      */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }

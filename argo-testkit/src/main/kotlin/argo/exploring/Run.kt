@@ -35,7 +35,7 @@ data class Perceived(
  * The agent has called `argo.act`, or a reflex was sent.
  *
  * @property number counts the agent's commands
- * @property plan the plan that called `argo.act`, with file and line; null: no plan called
+ * @property plan the plan that called `argo.act`, with file and line; null: the command is no plan's
  */
 data class Issued(
     override val at: Duration,
@@ -62,7 +62,7 @@ data class PortChanged(override val at: Duration, override val agent: String, va
 data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
     AgentEntry
 
-/** The agent's [intention] waits, at the same step since [since]. Recorded at the end of a run. */
+/** The agent's [intention] waits at one step, [since] this time. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
 /** A plan of the agent has failed, and there was no plan for the failure. [what] is Jason's message. */

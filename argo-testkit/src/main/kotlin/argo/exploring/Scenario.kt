@@ -25,7 +25,8 @@ internal fun interface Program {
 }
 
 /**
- * Returns the agents in the file [source]: the one of an `.asl`, or all of a `.mas2j`. The file is found as by the test kit's `agent`.
+ * Returns the agents in the file [source]: the one of an `.asl`, or all of a `.mas2j`. The file is looked for as the test kit's `agent`
+ * does.
  *
  * @throws IllegalArgumentException if there is no such file, or it cannot be read
  */

@@ -17,7 +17,7 @@ sealed interface Outcome {
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
 /**
- * Two runs with the same [events] differ, so a run shows nothing about the next. [difference] names the first place at which they differ.
+ * Two runs with the same [events] differ, so no run shows how another one goes. [difference] names the first place at which they differ.
  */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
@@ -73,8 +73,8 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     /**
-     * Returns true if the events of [seed] are played again with one more fault, which hits a command. Most faults are found without the
-     * additional one, and by fewer events.
+     * Returns true if the events of [seed] are played again with an additional fault, which hits a command. Most faults are found without
+     * the additional fault, and by fewer events.
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 

@@ -20,12 +20,12 @@ sealed interface WorldEvent {
     val words: String
 }
 
-/** The sensor called [sensor] of the board on port [board] shows [percept] from now on; no percept if it is empty. */
+/** The sensor called [sensor] of the board on port [board] shows [percept] from now on; no percept if [percept] is empty. */
 data class Reads(override val at: Duration, val board: String, val sensor: String, val percept: String) : WorldEvent {
     override val words get() = "the board on $board shows ${percept.ifEmpty { "nothing in place of $sensor" }}"
 }
 
-/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts], and then shows its former percept. */
+/** The sensor called [sensor] changes between [percept] and [other] each [every], for [lasts]. Afterwards it shows its former percept. */
 data class Flickers(
     override val at: Duration,
     val board: String,

@@ -50,8 +50,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     }
 
     /**
-     * Keeps the agents' log off the console. A failing expectation shows the log; the log of all others would flood the console. If the
-     * property `argo.testkit.log` is `console`, the log appears anyway.
+     * Keeps the agents' log off the console. A failing expectation shows the log; the logs of all other tests would flood the console. If
+     * the property `argo.testkit.log` is `console`, the log appears anyway.
      */
     private class Quiet(private val other: Filter?) : Filter {
         override fun isLoggable(record: LogRecord): Boolean =

@@ -64,7 +64,7 @@ class Board internal constructor(private val time: VirtualTime) {
     )
     private var bootMs = 0
 
-    /** True if the board's program is to begin anew on its line. */
+    /** True if the board's program must begin anew on its line. */
     @Volatile
     private var isToRestart = false
 
@@ -134,7 +134,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. The board then takes any
-     * command. The board's other settings, except those of its port, have no effect.
+     * command. The board's other settings have no effect, except those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -142,24 +142,24 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If that is a bag of ROS 2 in the MCAP
-     * format, the board [plays its mapping][playsItsMapping], and publishes the messages of the bag at their times, from when its agent
-     * first perceives on.
+     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If the recording is a bag of ROS 2 in the
+     * MCAP format, the board [plays its mapping][playsItsMapping]. It publishes the messages of the bag at their times, counted from the
+     * agent's first perception.
      */
     fun replays(file: Path): Board =
         if (McapReader.isMcap(file)) playsItsMapping().apply { bag = file } else replays(LineRecording.read(file))
 
     /**
      * The board's port, when opened next, leads to the line that [open] opens, such as the line of a simulated sketch. [open] gets the
-     * port's name and settings, and the line's clock. Expectations of commands, and the board's other settings except those of its port,
-     * then have no effect.
+     * port's name and settings, and the line's clock. After this call, expectations of commands have no effect, nor have the board's other
+     * settings except those of its port.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /**
-     * The board's port leads to no line but to the robot that the port's name stands for, such as `ros://robot:9090`. A mapping turns the
+     * The board's port leads to no line, but to the robot that the port's name means, such as `ros://robot:9090`. A mapping turns the
      * robot's topics into percepts. The mapping and ARGO's side are real, but there is no robot: the test [publishes] its messages, and
-     * each command is done at once. The board's settings, but not its port's, have no effect. Call this before the port is opened.
+     * each command is done at once. The board's settings have no effect, except those of its port. Call this before the port is opened.
      */
     fun playsItsMapping(): Board = apply { isMapped = true }
 
@@ -178,7 +178,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The messages, requests and goals to the robot, each with its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
     val published: List<String> get() = taking
 
-    /** The board speaks version 2 of the protocol with agents that do. Call this before the port is opened. */
+    /** The board speaks version 2 of the protocol with agents that speak it. Call this before the port is opened. */
     fun version2(): Board = apply {
         isVersion2 = true
         fake.version2()
@@ -213,7 +213,10 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board refuses every command for which [kind] is true: see the other [refuses]. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** From now on the board carries [command] out without delay, even if the board [refuses] the command or [takes] time for it so far. */
+    /**
+     * From now on the board carries [command] out without delay, even if it has [refused][refuses] the command or has [taken][takes] time
+     * for it so far.
+     */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** The board needs [duration] to carry out [command], and does nothing else during that time. */
@@ -241,7 +244,7 @@ class Board internal constructor(private val time: VirtualTime) {
         threads.forEach(Thread::interrupt)
     }
 
-    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. The agent's `argo.port` waits for that time. */
+    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. During that time the agent's `argo.port` waits. */
     fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
 
     /** The board hangs: it neither answers nor acts until [recovers] is called. The agent believes `port(P,timeout)`. */
@@ -390,7 +393,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** Refuses a misspelt percept, since a misspelt percept would let each later `shouldNotSend` pass. */
+/** Refuses a misspelt percept, since with such a percept each later `shouldNotSend` would pass. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

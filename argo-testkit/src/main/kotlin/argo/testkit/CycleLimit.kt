@@ -3,8 +3,8 @@ package argo.testkit
 import kotlin.time.Duration
 
 /**
- * Runs the reasoning cycles of [agent]. Each takes the agent's cycle time. Only a limited number of cycles may run at one instant, since
- * time advances only when the agent sleeps.
+ * Runs the reasoning cycles of [agent]. Each cycle takes the agent's cycle time. Only a limited number of cycles may run at one instant,
+ * since time advances only when the agent sleeps.
  */
 internal class CycleLimit(private val agent: TestAgent) {
     private val time get() = agent.mas.time

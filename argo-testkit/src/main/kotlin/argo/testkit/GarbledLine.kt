@@ -10,7 +10,7 @@ internal class GarbledLine(private val line: Transport, private val oneIn: () ->
     private var received = 0
     private var sent = 0
 
-    // `by line` does not pass on calls of functions that have a body in the interface.
+    // `by line` does not pass on calls of functions that have a body in the interface
     override fun mayVanish() = line.mayVanish()
 
     override fun doubt(): String = line.doubt()

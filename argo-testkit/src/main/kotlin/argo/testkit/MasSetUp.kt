@@ -6,7 +6,7 @@ import kotlin.io.path.nameWithoutExtension
 /** The agents of a test and their configuration: the receiver of [mas]'s argument. */
 @TestSetUp
 class MasSetUp internal constructor(private val mas: TestMas) {
-    /** Adds the agent in the file [source], which is found as by [argo.testkit.agent]. */
+    /** Adds the agent in the file [source], which is looked for as [argo.testkit.agent] does. */
     fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}) {
         make(found(source), setUp)
     }

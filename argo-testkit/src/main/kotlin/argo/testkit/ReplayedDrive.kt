@@ -6,8 +6,6 @@ import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.SentCommand
 import argo.recording.replay.WhatIf
-import java.nio.file.Path
-import kotlin.io.path.isRegularFile
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.nanoseconds
@@ -20,11 +18,11 @@ import kotlin.time.toJavaDuration
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * [WhatIf] describes how far the result is exact.
+ * [WhatIf] describes in which cases the result is exact.
  *
  * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
  * @param agent the name of the agent; null: the recording has only one
- * @param program the agent's present program, found as by [argo.testkit.agent]; null: the file with the name of the recorded one
+ * @param program the agent's present program, looked for as [argo.testkit.agent] does; null: the file that is named like the recorded one
  * @param filter the filter through which the agent perceives its boards; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */
@@ -34,18 +32,12 @@ fun replayed(
     program: String? = null,
     filter: PerceptionFilter? = null,
 ): ReplayedDrive = refusedInWords {
-    Recording(recordingIn(file)).use { recording ->
+    Recording(found("recording", file, listOf("", "src/test/resources"))).use { recording ->
         val name = agent ?: recording.agents.keys.singleOrNull()
             ?: throw RecordingException("$file has the agents ${recording.agents.keys.joinToString()}; agent = \"…\" names one of them")
         val source = program ?: recording.agents[name]?.source.orEmpty().substringAfterLast('/')
         WhatIf(recording, name, found(source), filter).use { ReplayedDrive(file, name, it.run()) }
     }
-}
-
-private fun recordingIn(file: String): Path {
-    val places = listOf("", "src/test/resources").map { Path.of(it, file).toAbsolutePath().normalize() }
-    return places.firstOrNull { it.isRegularFile() }
-        ?: throw IllegalArgumentException("there is no recording $file; looked for ${places.joinToString()}")
 }
 
 private fun <T> refusedInWords(work: () -> T): T = try {

@@ -21,7 +21,7 @@ import kotlin.time.Duration.Companion.seconds
  * May be used by one thread at a time.
  */
 class TestAgent internal constructor(
-    /** The agents of this agent's test, itself among them: those of the start, and those that they have created. */
+    /** All agents of this agent's test, itself included: the agents of the start, and those that they have created. */
     val mas: TestMas,
     file: Path?,
     called: String,
@@ -126,9 +126,9 @@ class TestAgent internal constructor(
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of the agent's boards from [since], a past value of [now], until [within] after it. So a test checks how
-     * promptly the agent reacts to the test's step at [since]. Each arrived command fulfils one expectation.
-     * @throws IllegalArgumentException if [since] is yet to come
+     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. So a test checks how
+     * promptly the agent reacts to something that the test did at [since]. Each arrived command fulfils one expectation.
+     * @throws IllegalArgumentException if [since] is in the future
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
         require(since <= now) { "since is a past time, such as an earlier value of robot.now; $since is later than the present time, $now" }
@@ -211,7 +211,7 @@ class TestAgent internal constructor(
     override fun close() = mas.close()
 
     internal companion object {
-        /** The board is asked again only when its first answer has been read. */
+        /** The board is asked again only when the agent has read its first answer. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }
 }

@@ -61,7 +61,7 @@ class TestMas internal constructor() : AutoCloseable {
         return work()
     }
 
-    /** Does [making], which makes agents, and then lets all agents run. If that fails, no agent is left. */
+    /** Does [making], which makes agents, and then lets all agents run. If [making] fails, no agent is left. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()
@@ -97,7 +97,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Takes [message] to its receiver. If the receiver is not in the test, the sender's log says so once. */
+    /** Takes [message] to its receiver. If the receiver is no agent of the test, the sender's log says so once. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)

@@ -34,7 +34,7 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     /** Returns the board on [port]. The first named port gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
-    /** Returns the board of the first port. If there is no port so far, the board is that of the first port that the agent will open. */
+    /** Returns the board of the first port. If there is no port so far, this is the board of the first port that the agent will open. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
     fun named(): Map<String, Board> = boards

@@ -8,7 +8,7 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest
+ * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting; it then jumps to the end of the shortest
  * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
  *
  * The driver of this time is the test's thread, which calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
@@ -108,7 +108,7 @@ internal class VirtualTime : LineClock {
         threads.removeAll { it.over }
         val thread = threads.firstOrNull { it.canRun() }
         if (thread != null) {
-            threads -= thread // the other threads run before this one runs again
+            threads -= thread // the other threads run before this thread runs again
             threads += thread
             resume(thread)
             return true
@@ -147,12 +147,12 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** Returns the time at which the next thread or timer is due, now at the earliest; null: never. */
+    /** Returns the time at which the next thread or timer is due, which is not in the past; null: none is due. */
     private fun nextInstant(): Long? =
         (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
             .minOrNull()?.let { maxOf(it, nowNanos) }
 
-    /** Does [work] in this time. Threads that it starts and records that it logs belong to this time. */
+    /** Does [work] in this time. Threads that [work] starts and records that it logs belong to this time. */
     fun <T> driving(work: () -> T): T {
         val before = ACTIVE.get()
         ACTIVE.set(this)

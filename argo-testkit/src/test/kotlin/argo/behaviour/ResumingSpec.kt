@@ -19,6 +19,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -174,6 +175,12 @@ class ResumingSpec : FunSpec({
         }
         state.parent.listDirectoryEntries("robot.state.broken-*").single().readText() shouldBe broken
         state.readText() shouldContain "!patrol(north)"
+    }
+
+    test("a file that is no text is told so") {
+        val state = stateFile()
+        state.writeBytes(byteArrayOf(-1, -2))
+        robot(state, guard).use { robot -> robot.log.single { "cannot be read" in it } shouldContain "it is no text in UTF-8" }
     }
 
     test("a call in the file that cannot be carried out is told, and the agent goes on with the others") {

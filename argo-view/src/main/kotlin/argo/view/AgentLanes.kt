@@ -4,7 +4,7 @@ import java.util.ServiceLoader
 
 /** Responds to requests for the timeline of one running agent. Safe for use by several threads. */
 internal interface AgentLanes {
-    /** Returns the response to a GET of [path], such as `/timeline`; null if [path] is no part of the timeline. */
+    /** Returns the response to a GET of [path], such as `/timeline`; null: [path] is no part of the timeline. */
     fun respond(path: String, query: String?): HttpResponse?
 }
 

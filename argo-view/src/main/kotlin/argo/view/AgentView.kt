@@ -49,8 +49,8 @@ class AgentView private constructor(
 
     /**
      * Shows a picture at the top of the page. The view's thread calls [picture]: ten times a second at most while a page is open, and once
-     * when the agent has ended. [picture] must return soon; null: nothing to show. If [picture] throws, the exception is logged, and there
-     * is no further call.
+     * when the agent has ended. [picture] must return soon; null: there is nothing to show. If [picture] throws, the exception is logged,
+     * and there is no further call.
      */
     fun show(picture: () -> Picture?) {
         composer.picture = picture

@@ -24,7 +24,7 @@ internal class Broadcast {
     }
 
     /**
-     * Serves a page on the calling thread: calls [begin], then [send] with each new state up to the last, then [end]. After
+     * Serves a page on the calling thread: calls [begin], then [send] with each new state up to the last one, then [end]. After
      * [HEARTBEAT_NANOS] ns without a state it calls [send] with null, which fails if the connection is closed. The page counts as open
      * until [end] has returned; then the port may be closed.
      */
@@ -32,7 +32,7 @@ internal class Broadcast {
         var number = lock.withLock {
             pages++
             hasNewPage = true
-            newest.number // this state is older than the page
+            newest.number // the page is newer than this state
         }
         try {
             begin()

@@ -5,8 +5,8 @@ import argo.observing.IssuedCommand
 import java.util.concurrent.TimeUnit
 
 /**
- * An agent's commands: all that have not gone out, and the last of the others. Equal commands in a row with the same outcome become one
- * command with a count. Not safe for use by several threads.
+ * An agent's commands: all that have not gone out, and the last of those that have. Equal commands in a row with the same outcome become
+ * one command with a count. Not safe for use by several threads.
  */
 internal class CommandRecord {
     private val unfinished = LinkedHashMap<Long, IssuedCommand>()

@@ -7,7 +7,7 @@ import argo.observing.Pausing
 import argo.observing.StopAt
 import kotlinx.serialization.Serializable
 
-/** Responds to the buttons that change [agent] or have it stand. Safe for use by several threads. */
+/** Responds to the buttons that change [agent] or make it stand. Safe for use by several threads. */
 internal class HandRoutes(private val agent: ObservedAgent, private val breakpoints: PageBreakpoints) {
     val routes: Map<String, Route> = mapOf(
         "/believe" to ordering("believed", Order::Believe),

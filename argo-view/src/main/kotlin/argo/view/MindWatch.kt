@@ -16,7 +16,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
             field = value
         }
 
-    /** The last look; null: none yet. */
+    /** The last look; null: there was none yet. */
     @Volatile
     var newest: Seen? = null
         private set
@@ -40,7 +40,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
         }
     }
 
-    /** Returns true if a look is due that was too early when the last cycle ended. The agent may be asleep since. */
+    /** Returns true if a look is due now that came too early at the end of the last cycle. The agent may be asleep since then. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true

@@ -22,7 +22,7 @@ internal class PerceptRows {
     var moreCourses = 0
         private set
 
-    /** Takes in the next message. [isAlone]: the agent perceives no other board, so the rows of other boards go. */
+    /** Takes in the next message. [isAlone]: the agent perceives no other board, so the rows of other boards are removed. */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()

@@ -1,8 +1,8 @@
 package argo.view
 
 /**
- * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests here: under its own host name
- * that leads to this computer (DNS rebinding), or in its visitor's name (CSRF).
+ * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests here: under its own host name,
+ * which leads to this computer (DNS rebinding), or in its visitor's name (CSRF).
  */
 internal object RequestGate {
     private val LOOPBACK = Regex("""(127\.0\.0\.1|localhost|\[::1])(:\d{1,5})?""", RegexOption.IGNORE_CASE)
@@ -13,9 +13,9 @@ internal object RequestGate {
      * [host] may name any port: the view may be behind a tunnel.
      *
      * @param host the header `Host`
-     * @param origin the header `Origin`; browsers send it with every request but their own plain GETs
+     * @param origin the header `Origin`, which browsers send with every request except plain GETs of the page itself
      * @param fetchSite the header `Sec-Fetch-Site`
-     * @param isPage whether the request is for the page itself, which any link may ask for
+     * @param isPage whether the request is for the page itself, to which any link may lead
      */
     fun refusal(host: String?, origin: String?, fetchSite: String?, isPage: Boolean): String? = when {
         host == null || !LOOPBACK.matches(host) ->

@@ -33,8 +33,8 @@ internal class Route(val method: String, val respond: (Request) -> HttpResponse)
         }
 
         /**
-         * Has an agent do something, and returns its answer. If there is none for [MAX_WAIT_S] s, since the agent's thread is busy or does
-         * not run yet, responds with [later].
+         * Lets an agent do something, and returns its answer. If there is no answer within [MAX_WAIT_S] s, since the agent's thread is busy
+         * or does not run yet, responds with [later].
          */
         fun awaited(
             later: String = "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s",

@@ -70,7 +70,7 @@ internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
         return Route.awaited { answer -> agent.perceive(open) { answer(HttpResponse.message(200, message)) } }
     }
 
-    /** Has the agent send [command], and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
+    /** Makes the agent send [command], and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
     private fun act(command: String): HttpResponse {
         val later = "$command: has not ended within ${Route.MAX_WAIT_S} s; the list of commands shows its outcome"
         return Route.awaited(later) { answer -> agent.act(command) { answer(outcome(command, it)) } }

@@ -10,7 +10,7 @@ internal class Site {
 
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page], in front of the page of an ending agent with the same name. */
+    /** Adds [page], which comes before the page of an ending agent with the same name. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)

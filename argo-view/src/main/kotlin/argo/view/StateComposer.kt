@@ -66,8 +66,7 @@ internal class StateComposer(
     }
 
     /**
-     * Returns the state to show now. [isLast]: the agent has ended. The state has courses of numbers once a second, or always with
-     * [isFull].
+     * Returns the state to show now. [isLast]: the agent has ended. The state has courses of numbers once a second; with [isFull], always.
      */
     fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()
@@ -123,7 +122,7 @@ internal class StateComposer(
 
     private fun currentPicture(): Picture? = try {
         picture()
-    } catch (broken: Exception) { // a project's own code makes the picture
+    } catch (broken: Exception) { // code of the project makes the picture
         log.log(Level.WARNING, "the live view shows no picture any more, since asking for it failed", broken)
         picture = { null }
         null

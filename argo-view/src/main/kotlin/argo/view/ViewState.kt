@@ -13,7 +13,7 @@ import kotlinx.serialization.Serializable
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]
  * @property computers the computers of the system; empty: the system is on one computer
- * @property breakpoints the lines at which pages have the agent stop
+ * @property breakpoints the lines at which pages make the agent stop
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -65,8 +65,8 @@ internal data class AgentState(val name: String, val viewPort: Int?)
  * Whether the agent goes on.
  *
  * @property phase `running`, `making_safe` (its boards) or `standing`
- * @property words why the agent stands, and what became of its boards, in lines
- * @property intention the number of the intention in which it stands; null: in none
+ * @property words why the agent stands, and the result of making its boards safe, in lines
+ * @property intention the number of the intention in which it stands; null: it stands in none
  */
 @Serializable
 internal data class PauseState(val phase: String, val words: String, val intention: Int?)
@@ -174,7 +174,7 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
  * A belief, or a rule.
  *
  * @property sources `percept`, `self` or agents
- * @property whole the belief with its sources, for a person who has the agent forget it; null: a percept, a rule, or too long
+ * @property whole the belief with its sources, so that a person can make the agent forget it; null: a percept, a rule, or too long
  */
 @Serializable
 internal data class Belief(val text: String, val sources: List<String>, val whole: String?)

@@ -42,7 +42,9 @@ function drawRange(svg, values, range, low, high) {
   drawn('path', { class: 'beyond', d: coursePath(beyond, low, high), 'vector-effect': 'non-scaling-stroke' }, svg);
 }
 
-/** Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has each number's range; null: none. */
+/**
+ * Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has each number's range; null: no range.
+ */
 function showCourse(box, numbers, ranges = []) {
   const key = JSON.stringify([numbers || [], ranges]);
   if (box.dataset.shown === key) return;

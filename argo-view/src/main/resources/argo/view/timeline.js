@@ -11,7 +11,7 @@ const AXIS = 24;
 const PIXELS_EACH = 3;     // the least width of an item; more items than fit become heaps
 const NEAR = 14;           // pixels from an item within which a click chooses it
 const LEAST_SPAN = 0.002;  // seconds
-const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that the address asks about
+const NEAR_COMMAND = 1;    // seconds shown before and after a command that the address asks about
 
 const canvas = $('lanes');
 let recording = null;
@@ -33,7 +33,7 @@ async function get(path) {
 function shownProblem(words) { $('problem').textContent = words; $('problem').hidden = !words; }
 
 let waiting = false;
-/** Asks for the part in view. Only the answer to the last request is shown. */
+/** Asks for the part in view, and shows only the answer to the last request. */
 async function load() {
   asked++;
   if (waiting) return;
@@ -107,7 +107,7 @@ function tell() {
 
 let whyAsked = 0; // counts questions: only the answer to the last one is shown
 
-/** Shows a sentence of the tool why, indented by two blanks for each cause in front of it. */
+/** Shows a sentence of the tool why, indented by two blanks for each cause before it. */
 function sentence(words) {
   const depth = (words.length - words.trimStart().length) / 2;
   const made = line(words.trimStart());

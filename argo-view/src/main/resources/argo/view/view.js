@@ -11,7 +11,7 @@ let frozen = null;         // shown instead of the newest state while the page i
 let courses = {};          // numbers of sensors in the last minute, by the sensors' keys
 let filters = null;        // the names of all filters
 let waits = false;         // true while a pressed button has no answer yet
-const explained = new Map(); // by a percept's key: why it was kept or dropped, with its text and filter when the page asked
+const explained = new Map(); // by a percept's key: the reason why it was kept or dropped, with its text and filter when the page asked
 
 // --- words ---
 
@@ -179,7 +179,7 @@ function showPorts(shown, since) {
   ), 'The agent has no port.');
 }
 
-/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty: they do not. */
+/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty: they show no old percepts. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
@@ -252,7 +252,7 @@ function showBeliefs(shown) {
   }, shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
-/** Makes a row with a button [verb] that asks the agent for [path], with the text that the row stands for as [name]. */
+/** Makes a row with a button [verb] that asks the agent for [path]; [name] is the text that the row stands for. */
 function actingRow(verb, path = verb, name = 'text', more = {}) {
   const made = row();
   const act = button('act', async () => {
@@ -265,7 +265,7 @@ function actingRow(verb, path = verb, name = 'text', more = {}) {
   return made;
 }
 
-/** Has the button of [line] stand for [words]; without words there is no button. */
+/** Makes the button of [line] stand for [words]; without words there is no button. */
 function showAct(line, words, name, title) {
   const act = line.children[4];
   act.hidden = !words;
@@ -446,7 +446,7 @@ async function ask(path, body) {
   return answer;
 }
 
-/** Has the agent do something, and returns its answer; null: it refuses, and the page tells why. */
+/** Lets the agent do something, and returns its answer; null: the agent refuses, and the page tells why. */
 async function order(path, body) {
   waits = true;
   tell('', false);
@@ -462,7 +462,7 @@ async function order(path, body) {
   }
 }
 
-/** Has the agent do what the field of [form] says, and shows the answer under the field. */
+/** Lets the agent do what the field of [form] says, and shows the answer under the field. */
 async function send(form) {
   const [field] = form.elements;
   const words = field.value.trim();
@@ -498,7 +498,7 @@ async function explain(key, percept) {
 
 const filterWords = () => JSON.stringify(state.filter);
 
-/** Asks again about each explained percept that has changed, or whose filter has. */
+/** Asks again about each explained percept that has changed, or whose filter has changed. */
 function renewExplanations(shown) {
   for (const { key, text: percept } of shown.sensors.percepts) {
     const entry = explained.get(key);

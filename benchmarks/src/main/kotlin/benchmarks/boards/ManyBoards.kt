@@ -26,7 +26,7 @@ internal fun sensedMany(): String {
 /**
  * Measures an agent of 127 boards on the network, each sensed five times a second. The boards run in another process. Returns, in this
  * order:
- * - the sensing rate of the board sensed least, as a share of the nominal rate, 0 to 1
+ * - the sensing rate of the board that is sensed least, as a share of the nominal rate, 0 to 1
  * - the answers of boards that the agent did not get, or got twice, and the answers of all boards
  * - the heap for the boards, without garbage, and the resident memory of the process, in MB
  * - the number of threads for the boards

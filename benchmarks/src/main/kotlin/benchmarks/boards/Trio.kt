@@ -33,7 +33,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** Gives the board of [baud] this [trouble]. The robot of that board is not measured from then on. */
+    /** Gives the board of [baud] this [trouble]. After this the robot of that board is not measured any more. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)
@@ -49,8 +49,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Has the agent stop each robot this number of [times]. Returns the reactions by baud rate. The robots cross the limit at instants
-     * spread evenly over the sensing interval. With random instants the median would vary by more than the boards differ.
+     * Makes the agent stop each robot this number of [times]. Returns the reactions by baud rate. The robots cross the limit at instants
+     * spread evenly over the sensing interval. With random instants the median would vary by more than the boards differ from each other.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -127,7 +127,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
 
 /** The times after the limit at which robots stopped. */
 internal class Reactions(private val ones: List<One>) {
-    /** A time from the limit to the stop, in ns, with the timeline of the robot's line from the limit on. */
+    /** A time from the limit to the stop, in ns, with the timeline of the robot's line since the limit. */
     class One(val nanos: Long, val timeline: String)
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })

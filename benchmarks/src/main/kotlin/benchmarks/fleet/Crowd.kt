@@ -39,8 +39,8 @@ internal fun crowd(): Boolean {
 }
 
 /**
- * Makes an archive of the classes that a computer of a fleet loads. Returns the options of Java machines that use it, with little memory
- * each and compiled quickly, as for many programs on one computer.
+ * Makes an archive of the classes that a computer of a fleet loads. Returns the options of Java machines that use the archive, with little
+ * memory each and compiled quickly, as for many programs on one computer.
  */
 private fun sharing(project: Project): List<String> {
     val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")

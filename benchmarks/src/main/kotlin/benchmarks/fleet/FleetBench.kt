@@ -26,9 +26,9 @@ private val ROWS: Map<String, () -> Boolean> = mapOf(
 )
 
 /**
- * Measures a fleet of several computers, each a process on this one, in a network namespace of its own if possible. Measures the time of a
- * message there and back, compared with JADE, the time until a failure is noticed, the fate of a million messages while computers are
- * killed and unplugged, and the cost of membership.
+ * Measures a fleet of several computers, each a process on this one, in a network namespace of its own if possible. Measures four things:
+ * the time of a message there and back, compared with JADE; the time until a failure is noticed; the fate of a million messages while
+ * computers are killed and unplugged; and the cost of membership.
  *
  * @param rows the names of the rows to measure; empty: all
  * @return whether all goals are reached
@@ -111,7 +111,7 @@ private fun manyMessages() = inNamespaces("messages", MANY) { trial, network, na
     faults.isEmpty()
 }
 
-/** A computer is killed, and started again later; or unplugged for some seconds. */
+/** A fault: a computer is killed, and started again later; or it is unplugged for some seconds. */
 private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
     Thread.sleep(random.nextLong(2000))
     when {

@@ -26,7 +26,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     fun file(name: String): Path = folder.resolve(name)
 
-    /** What all processes have printed. */
+    /** Everything that all processes have printed. */
     fun printed(): String = file(OUT).toFile().readText()
 
     private var classPath = System.getProperty("java.class.path")

@@ -11,14 +11,36 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge whose topic `/n` counts. Like rosbridge 0.11.17 with `queue_length` 1, this bridge sends the newest message once a
+ * Topics of a robot that counts.
+ *
+ * @property topic the topic that counts
+ * @property message the message with a number
+ * @property answers the topic of the commands
+ * @property number what stands before the number in a command
+ */
+internal class Counted(val topic: String, val answers: String, number: String, val message: (Int) -> String) {
+    val number = Regex("$number: ?(\\d+)")
+
+    companion object {
+        val NUMBERS = Counted("/n", "/did", "\"data\"") { """{"data":$it}""" }
+    }
+}
+
+/**
+ * A bridge with a topic that counts. Like rosbridge 0.11.17 with `queue_length` 1, this bridge sends the newest message once a
  * `throttle_rate`.
  *
  * @param number the bridge's TCP port; 0: a free one
  * @param hz the numbers per second
  * @param published called with each number before the bridge publishes it
  */
-internal class CountingBridge(number: Int, first: Int, hz: Int, private val published: (Int) -> Unit) : AutoCloseable {
+internal class CountingBridge(
+    number: Int,
+    first: Int,
+    hz: Int,
+    private val counted: Counted = Counted.NUMBERS,
+    private val published: (Int) -> Unit,
+) : AutoCloseable {
     private val started = CountDownLatch(1)
     private val timer = ScheduledThreadPoolExecutor(1) { Thread(it, "counting-bridge").apply { isDaemon = true } }
     private var next = first
@@ -27,6 +49,14 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
     @Volatile
     private var throttleNanos: Long? = null // least time between messages; null: nobody subscribes
     private var sentNanos = System.nanoTime()
+
+    /** Receives the number in each command, on a thread of the bridge. */
+    @Volatile
+    var heard: (Int) -> Unit = { }
+
+    /** Whether the bridge counts. */
+    @Volatile
+    var isCounting = true
 
     /** The numbers in commands, in their order. */
     val done = ConcurrentLinkedQueue<Int>()
@@ -64,15 +94,21 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
     private fun hear(client: WebSocket, message: String) {
         val id = ID.find(message)?.groupValues?.get(1)
         when {
-            "\"subscribe\"" in message && "\"/n\"" in message ->
+            "\"subscribe\"" in message && "\"${counted.topic}\"" in message ->
                 throttleNanos = TimeUnit.MILLISECONDS.toNanos(THROTTLE.find(message)?.groupValues?.get(1)?.toLong() ?: 0)
             "\"unsubscribe\"" in message -> throttleNanos = null
-            "\"/did\"" in message && "\"publish\"" in message -> DATA.find(message)?.let { done += it.groupValues[1].toInt() }
+            "\"${counted.answers}\"" in message && "\"publish\"" in message -> counted.number.find(message)?.let { answered(it) }
             "\"call_service\"" in message -> client.send("""{"op":"service_response","id":"$id","values":"there is none","result":false}""")
         }
     }
 
+    private fun answered(number: MatchResult) = number.groupValues[1].toInt().let {
+        heard(it)
+        done += it
+    }
+
     private fun count() {
+        if (!isCounting) return
         published(next)
         waiting = next++
         val interval = throttleNanos ?: return
@@ -80,7 +116,8 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
         val number = waiting?.takeIf { now - sentNanos >= interval } ?: return
         waiting = null
         sentNanos = now
-        server.connections.forEach { if (it.isOpen) it.send("""{"op":"publish","topic":"/n","msg":{"data":$number}}""") }
+        val text = """{"op":"publish","topic":"${counted.topic}","msg":${counted.message(number)}}"""
+        server.connections.forEach { if (it.isOpen) it.send(text) }
     }
 
     override fun close() {
@@ -91,8 +128,7 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
 
     private companion object {
         const val START_S = 20L
-        val ID = Regex("\"id\":\"([^\"]*)\"")
-        val THROTTLE = Regex("\"throttle_rate\":(\\d+)")
-        val DATA = Regex("\"data\":(\\d+)")
+        val ID = Regex("\"id\": ?\"([^\"]*)\"")
+        val THROTTLE = Regex("\"throttle_rate\": ?(\\d+)")
     }
 }

@@ -16,17 +16,21 @@ private const val OFF_MS = 300L
 private const val WORK_MS = 100L
 
 /**
- * Measures the age of the messages on which an agent acts if it takes 100 ms for each message of a bridge. Each of three rates is measured
- * for a minute. Also measures the time until an agent acts again after its bridge has restarted. Prints the figures.
+ * Measures the time from a scan to the command that it causes, beside a client that is written with roslibpy. Measures the age of the
+ * messages on which an agent acts if it takes 100 ms for each message of a bridge. Each of three rates is measured for a minute. Also
+ * measures the time until an agent acts again after its bridge has restarted. Prints the figures.
  *
  * @param seconds the time of each rate
- * @return true if no message was lost, no command was carried out twice, and no thread or connection was left behind
+ * @param python a Python that has roslibpy; null: there is none, and nothing is compared
+ * @return true if the agent reacts as fast as the client at least, no message was lost, no command was carried out twice, and no thread or
+ *   connection was left behind
  */
-fun ros(seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
+fun ros(python: String?, seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
     println("robots behind ros://, ${machine()}:")
+    val isAsFast = python == null || reactions(python)
     println("age of the messages that an agent acts on, at $WORK_MS ms a message, $seconds s each:")
     rates.forEach { hz -> println("$hz Hz: ${ages(hz, seconds)}") }
-    return Restarts().run()
+    return Restarts().run() && isAsFast
 }
 
 private fun program(number: Int) = """
@@ -42,18 +46,28 @@ private fun ages(hz: Int, seconds: Int): String {
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)
     }
+    var lateNanos = 0L
     CountingBridge(0, 0, hz) { published[it] = System.nanoTime() }.use { bridge ->
         Agents().use {
             it.start("bob", program(bridge.number))
-            Thread.sleep(TimeUnit.SECONDS.toMillis(seconds.toLong()))
+            lateNanos = longestDelay(seconds)
         }
     }
     val all = Distribution(ages.map { (_, age) -> age }.toLongArray())
     val end = ages.lastOrNull()?.first ?: return "nothing came"
     val last = Distribution(ages.filter { (now, _) -> end - now < TimeUnit.SECONDS.toNanos(1) }.map { (_, age) -> age }.toLongArray())
     return figures(
-        "median %.0f, longest %.0f ms of %d; in the last second at most %.0f ms", all.ms(0.5), all.ms(1.0), all.size, last.ms(1.0),
+        "median %.0f, 99th percentile %.0f, longest %.0f ms of %d; in the last second at most %.0f ms; a thread that sleeps woke %.0f ms " +
+            "late at most",
+        all.ms(0.5), all.ms(0.99), all.ms(1.0), all.size, last.ms(1.0), lateNanos / 1e6,
     )
+}
+
+/** Sleeps [seconds], a millisecond at a time, and returns by how many ns the machine prolonged one of these at most. */
+private fun longestDelay(seconds: Int): Long {
+    val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds.toLong())
+    val times = generateSequence(System.nanoTime()) { System.nanoTime().also { Thread.sleep(1) } }.takeWhile { it < end }
+    return times.zipWithNext { one, next -> next - one }.max() - TimeUnit.MILLISECONDS.toNanos(1)
 }
 
 private class Restarts {

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions. The board
- * runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands over each byte of its
- * own one byte's time before the byte arrives.
+ * The computer's end of the line to [uno], which runs in the time of [clock]. Bytes have the times of a real line in both directions. The
+ * board runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands over each byte
+ * that it sends one byte time before the byte arrives.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,

@@ -10,8 +10,8 @@ import kotlin.time.Duration.Companion.seconds
  * The stops of a course.
  *
  * @property responses the times from the limit to the stop, in ns, in their order
- * @property rests the times from the limit until the robot stood for good, in ns. A time is longer if an earlier command `front` drove the
- *   robot on after a reflex.
+ * @property rests the times from the limit until the robot stood for good, in ns. A time is longer than the response if an earlier command
+ * `front` drove the robot on after a reflex.
  * @property worst the timeline of line and board in the longest response, in ms from the limit on
  * @property commands the number of commands that the sketch has carried out
  * @property sent the number of commands sent in version 1; in version 2 they are not counted
@@ -22,7 +22,7 @@ internal class Stops(
     val distribution = Distribution(responses.toLongArray())
 }
 
-/** Has the published agent stop the robot of [course] [stops] times. The phases between robot, line and agent come from [seed]. */
+/** Makes the published agent stop the robot of [course] [stops] times. The phases between robot, line and agent come from [seed]. */
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
     run.awaitStop() // at the first stop, line and agent are not in step
@@ -42,7 +42,7 @@ private fun publishedAgent(course: StopCourse) = """
 
 private class Stop(val response: Long, val rest: Long, val timeline: String)
 
-/** Puts the robot back and has the agent drive it to the limit again. */
+/** Puts the robot back and makes the agent drive it to the limit again. */
 private fun CourseRun.stop(way: Int, random: Random): Stop {
     val millimetres = WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way)
     val late = random.nextLong(WatchedRobot.MILLIMETRE_NANOS)

@@ -45,7 +45,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     override fun close() = uno.close()
 
     private companion object {
-        /** Numbers the lines. So each has its own name, by which links remember used numbers, and each run is like the first. */
+        /** Numbers the lines. So each line has its own name, by which links remember used numbers, and each run is like the first one. */
         val lines = AtomicInteger()
     }
 }

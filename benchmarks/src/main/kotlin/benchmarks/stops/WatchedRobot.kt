@@ -12,11 +12,11 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
-    /** The time at which the sensor first gave the limit or less, in ns; null: not since the robot was [placed][place]. */
+    /** The time at which the sensor first gave the limit or less, in ns; null: it has not done so since the robot was [placed][place]. */
     var crossedAt: Long? = null
         private set
 
-    /** The time at which the robot stopped after [crossedAt], in ns; null: not so far. */
+    /** The time at which the robot stopped after [crossedAt], in ns; null: it has not stopped so far. */
     var stoppedAt: Long? = null
         private set
 
@@ -57,7 +57,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // except the first low, with which the pin becomes an output
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // but not the first low level, which makes the pin an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)

@@ -22,8 +22,8 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * Reads Maven's POMs for the Gradle build, which declares no modules, versions and dependencies itself. Fails on a dependency, a compiler
- * plugin or a pattern of resources that is unknown here, since Gradle would build without it. Other plugins of Maven are not read: a
+ * Reads Maven's POMs for the Gradle build, which declares no modules, versions and dependencies itself. Fails if it does not know a
+ * dependency, a compiler plugin or a pattern of resources, since Gradle would build without it. Other plugins of Maven are not read: a
  * build.gradle.kts does their work.
  */
 public final class Poms {
@@ -37,8 +37,8 @@ public final class Poms {
     }
 
     /**
-     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module. Folders
-     * of Java sources end in {@code /java}.
+     * A module, or another folder with a POM. Sources and resources are the folders that come in addition to the usual ones, relative to
+     * the module. Folders of Java sources end in {@code /java}.
      *
      * @param isLibrary whether it is published
      * @param isSerialized whether it is compiled with Kotlin's plugin for serialization

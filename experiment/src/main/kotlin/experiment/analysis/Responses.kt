@@ -16,12 +16,12 @@ import samples.collision.Course
  * @property collisions the number for a robot that ran into the wall, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published response. All collisions count the same, so that the limit, which is a factor, does not also weigh them. */
+    /** The published response. All collisions count the same, so the limit, which is a factor, does not also weigh them. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** The shortest possible time: the agent certainly needed no less. */
+    /** The shortest possible time: the agent needed at least this. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",

@@ -18,8 +18,8 @@ import kotlin.math.sqrt
 internal data class Ratio(val value: Double, val interval: Interval?)
 
 /**
- * Returns the ratio whose logarithms were measured in each block, by Student's t distribution: the blocks are independent, and what a
- * machine does to a whole block is the same above and below the line.
+ * Returns the ratio whose logarithms were measured in each block, by Student's t distribution: the blocks are independent, and anything
+ * that a machine does to a whole block changes both times of the ratio alike.
  */
 internal fun ratio(logarithms: List<Double>): Ratio {
     val values = logarithms.toDoubleArray()

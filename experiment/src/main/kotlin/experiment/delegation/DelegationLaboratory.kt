@@ -19,7 +19,7 @@ import kotlin.random.Random
  */
 @Serializable
 internal data class DelegationResult(val reactions: List<Double>, val missed: Int, val busy: Double, val lateMs: Double) {
-    /** All times in ascending order. One that was missed counts as the longest time. */
+    /** All times in ascending order. A stimulus that was missed counts as the longest time. */
     val times: List<Double> get() = reactions.sorted() + List(missed) { Stimuli.LIMIT_MS.toDouble() }
 
     val isLate: Boolean get() = lateMs > MAX_LATE_MS

@@ -7,7 +7,7 @@ import kotlinx.serialization.Serializable
 internal val KINDS = listOf("dist", "light", "temp")
 
 /**
- * Who senses, who reasons, and who acts.
+ * The share of work among agents: who senses, who reasons, and who acts.
  *
  * @property word the design's name in records
  * @property boards the robot's boards, each with the kinds of its sensors; the first one has the motors
@@ -17,7 +17,7 @@ internal enum class Design(val word: String, val title: String, val boards: List
     @SerialName("one")
     ONE("one", "one agent", listOf(KINDS)),
 
-    /** Like [ONE], with a line for each kind of sensor. Tells what the lines do from what the agents do. */
+    /** Like [ONE], with a line for each kind of sensor. This design shows whether the lines or the agents make a difference. */
     @SerialName("boards")
     BOARDS("boards", "one agent, three boards", KINDS.map(::listOf)),
 
@@ -25,7 +25,7 @@ internal enum class Design(val word: String, val title: String, val boards: List
     @SerialName("kinds")
     KINDS_APART("kinds", "an agent for each kind", KINDS.map(::listOf)),
 
-    /** An ARGO agent that senses and acts, and a common agent for each kind of sensor that reasons on what it is told. */
+    /** An ARGO agent that senses and acts, and for each kind of sensor a common agent that reasons about what the first one tells it. */
     @SerialName("delegates")
     DELEGATES("delegates", "one agent delegates", listOf(KINDS)),
 }

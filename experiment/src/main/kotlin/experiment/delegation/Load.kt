@@ -5,7 +5,7 @@ import kotlinx.serialization.Serializable
 import kotlin.random.Random
 
 /**
- * What the agents of a run have to do, and with what.
+ * The work of the agents of a run, and their means.
  *
  * @property processors the number of processors that the agents share
  * @property interval the sensing interval, in ms
@@ -15,7 +15,7 @@ import kotlin.random.Random
 @Serializable
 internal data class Load(val processors: Int, val interval: Int, val sensors: Int, val plans: Int)
 
-/** One run: [design] under [load], in the block with the number [block], from 1. */
+/** One run: A run of [design] under [load], in the block with the number [block], from 1. */
 @Serializable
 internal data class DelegationRun(val block: Int, val load: Load, val design: Design) {
     /** The name of the run, a Jason atom. No two runs of an experiment share it. */

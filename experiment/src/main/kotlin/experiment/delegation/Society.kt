@@ -21,7 +21,7 @@ internal class Society(private val run: DelegationRun, private val ports: List<S
     /** The processor time that the agents have had on the slow computer, in ns. */
     val busyNanos: Long get() = computers.sumOf { it.busyNanos }
 
-    /** Creates and starts the agents on [host]. An agent that is told something comes before those that tell it. */
+    /** Creates and starts the agents on [host]. An agent to which others tell something comes before those others. */
     fun begin(host: AgentHost): List<LocalAgArch> = members().map(host::begin)
 
     private fun members(): List<Newcomer> = when (run.design) {
@@ -55,6 +55,6 @@ internal class Society(private val run: DelegationRun, private val ports: List<S
     }
 }
 
-/** Returns [count] plans for a percept of this [kind]: all but the last one ask a belief and do not apply. */
+/** Returns [count] plans for a percept of this [kind]: all except the last one ask for a missing belief, and so do not apply. */
 internal fun plansFor(kind: String, count: Int): List<String> =
     (1 until count).map { "+$kind(_, N) : alarm$it(Limit) & N < Limit." } + "+$kind(_, _)."

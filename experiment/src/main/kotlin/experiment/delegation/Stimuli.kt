@@ -39,7 +39,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
         near = next(now)
     }
 
-    /** Reads the sensors of these [kinds] anew: the first of each kind, then the second of each. */
+    /** Reads the sensors of these [kinds] anew: the first sensor of each kind, then the second of each, and so on. */
     @Synchronized
     fun read(kinds: List<String>): List<String> {
         val now = clock.nanos()

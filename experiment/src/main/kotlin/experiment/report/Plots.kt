@@ -49,7 +49,7 @@ import java.math.BigDecimal
 /**
  * The colours of a figure.
  *
- * @property filters the colours of no filter, front side, front distance
+ * @property filters a colour for each view of a filter: everything, the front side, the front distance
  * @property sources the colours of the published figures and of the conditions
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {

@@ -103,7 +103,7 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Sets how many received messages a busy board holds; one more overwrites the oldest, see {@link #overwritten}. Boards in the field
-     * hold one. The computer repeats frames of version 2, so none of these counts as overwritten.
+     * hold one message. Frames of version 2 never count as overwritten, since the computer repeats them.
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
@@ -163,7 +163,7 @@ public final class FakeBoard implements AutoCloseable {
         return this;
     }
 
-    /** Sets how many milliseconds the board is busy otherwise between two messages, like a sketch's {@code loop()}. */
+    /** Sets how many milliseconds the board is busy with other work between two messages, like a sketch's {@code loop()}. */
     public FakeBoard loopTakes(int millis) {
         sketch.loopMillis = millis;
         return this;
@@ -261,8 +261,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms, and not while it is
-     * {@linkplain #stall stalled}. Then fails, unless the board is lenient, if a message was surprising, missing or lost.
+     * Waits until the board has received everything that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms. Does not wait for a
+     * {@linkplain #stall stalled} board. After the wait, fails if a message was surprising, missing or lost, unless the board is lenient.
      *
      * @throws AssertionError that lists the faults and all messages received
      */
@@ -336,8 +336,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Until then it
-         * answers requests, but carries out no other command.
+         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Before the
+         * report it answers requests, but carries out no other command.
          */
         public Rule outcomeAfter(int millis) {
             outcomeMillis = millis;

@@ -33,7 +33,8 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. Calls it under the lock about every millisecond, since other state may change its result.
+     * Waits until {@code reached} is true. Calls {@code reached} under the lock about every millisecond, since other state may change the
+     * result.
      *
      * @param what completes "interrupted while ..."
      * @return false if {@code reached} is still false after {@code timeoutMillis}

@@ -174,7 +174,8 @@ final class FrameWriter implements WaitingCommands<Command> {
      * Waits for its turn, ahead of waiting commands, and writes a frame.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis milliseconds to wait at most for the turn, besides the pacer's hold on a free line, and again for the driver
+     * @param timeoutMillis milliseconds to wait at most for the turn, not counting the pacer's hold on a free line; the driver gets the
+     *     same time again
      * @return the time, by the clock, at which the frame's last byte leaves the line
      * @throws PortTimeoutException if the turn did not come in time, so nothing was written; or if the driver did not take the frame
      */

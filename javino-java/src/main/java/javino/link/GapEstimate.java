@@ -7,15 +7,15 @@ import java.util.concurrent.TimeUnit;
  * Estimates the gap that a version 1 board needs between frames: the time from one of its looks at the line to the next. The delay of an
  * answer has two parts: the time until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the
  * answer, which is about constant. So the differences of delays show the loop.
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if few delays may miss a part
- * of the loop. With a probability below n x^(n-1), the range of n random delays is less than the part x of the loop. If one delay is left
- * out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
- * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until {@value #MIN_SAMPLES} delays are known, it is this
- * maximum. From {@value #MANY} delays on, the longest is left out; later, at each end one delay in {@value #OUTLIER_AMONG}. So one stall of
- * this computer does not slow commands down.
- * <p>If each request followed the last answer at the same distance, all would meet the same part of the loop. So some requests are sent
- * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
- * are nanoseconds. Guarded by its user's lock.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more while the delays are so few
+ * that they may miss a part of the loop. With a probability below n x^(n-1), the range of n random delays is less than the part x of the
+ * loop. If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this probability is one
+ * in 100,000. The estimate is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until {@value #MIN_SAMPLES}
+ * delays are known, the estimate is this maximum. From {@value #MANY} delays on, the longest is left out; later, at each end one delay in
+ * {@value #OUTLIER_AMONG}. So one stall of this computer does not slow commands down.
+ * <p>If each request followed the last answer at the same distance, all requests would meet the same part of the loop. So some requests are
+ * sent later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}.
+ * Times are nanoseconds. Guarded by its user's lock.
  */
 final class GapEstimate {
     static final int SAMPLES = 256;
@@ -93,7 +93,7 @@ final class GapEstimate {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is sent later than possible. */
+    /** Nanoseconds by which the next request is delayed on purpose. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

@@ -14,7 +14,7 @@ import javino.wire.WireFrame;
 
 /**
  * Reads a line. The inbox hands on frames of version 2, and keeps messages of version 1 until a caller takes them.
- * <p>One of the waiting threads reads for all (leader and followers). When its own wait ends, another one reads.
+ * <p>One of the waiting threads reads for all (leader and followers). When the reader's own wait ends, another thread reads.
  */
 final class Inbox {
     /** Takes what arrives, while the monitor's lock is held; times are nanoseconds of the line's clock. */

@@ -49,7 +49,10 @@ public class Javino implements AutoCloseable {
         this.timeoutMillis = timeoutMillis;
     }
 
-    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. Returns true when it has left; in version 2, when the board has acted. */
+    /**
+     * Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. Returns true when the command has left; in version 2, when the board has
+     * acted.
+     */
     public boolean sendCommand(String port, String msg) {
         return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
     }

@@ -35,8 +35,8 @@ import javino.wire.CommandItem;
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
- * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then a request is repeated every 250 ms, or after its own
- * time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
+ * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until the start, a request is repeated every 250 ms, or after its
+ * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
  * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
  * drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board come whole or not at all, and
@@ -148,7 +148,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Asks the board for the kinds of its percepts, in turn with requests. Kinds that cannot be read are left out, with a line of log.
+     * Asks the board for the kinds of its percepts, when no request is under way. Kinds that cannot be read are left out, with a line of
+     * log.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
      * @return a description without kinds and problems if the board describes no percepts, or is not known to speak version 2
@@ -204,12 +205,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends a request and returns its answer. Messages that came before the request are dropped: they answer earlier requests. If an answer
-     * does not come in time, the next request waits for a silence of the line, and returns the last message before it.
+     * Sends a request and returns its answer. Drops messages that came before the request: they answer earlier requests. If an answer does
+     * not come in time, the next request first waits for a silence of the line, and returns the last message before that silence.
      *
-     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; then the board gets the same time to answer,
-     *     counted from the request's last byte. After a missed answer the line gets that time once more to fall silent. While the board may
-     *     be starting, the request is repeated
+     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; the board then gets the same time for its
+     *     answer, counted from the request's last byte. After a missed answer the line gets as much time again to fall silent. While the
+     *     board may be starting, the request is repeated
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -223,9 +224,9 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #request(String, int)}, for a caller that asks again and again. A command that a request overtakes waits for a whole
-     * exchange. So the commands submitted before this call go out first, and then those submitted meanwhile. Each of the two waits takes at
-     * most as long as the last exchange or the interval, whichever is longer, so commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks again and again. A command must wait for a whole exchange if a request
+     * overtakes it. So the commands submitted before this call go out first, then those submitted while it waits. Each of the two waits
+     * takes at most as long as the last exchange or the interval, whichever is longer, so commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -305,8 +306,8 @@ public final class Link implements AutoCloseable {
      *
      * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
      * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
-     * acted. The command is repeated until then, and the board takes the repetitions for one command. The command is given up after four
-     * repetitions and 2 s without any frame of the board.
+     * acted. Until the outcome is known, the command is repeated, and the board takes the repetitions for one command. The command is given
+     * up after four repetitions and 2 s without any frame of the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was
@@ -322,14 +323,15 @@ public final class Link implements AutoCloseable {
 
     /**
      * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. The text of a
-     * command cannot do that. If the board speaks version 1, the future also fails with {@link ActionRefusedException}.
+     * command cannot do that. If the board speaks version 1, the future fails with {@link ActionRefusedException} too.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
     }
 
     /**
-     * Takes queued commands to the board, present and future ones, until it throws. Call it on a thread of its own: this is no flush.
+     * Takes queued commands to the board, present and future ones, until it throws. Call it on a thread of its own: it does not return when
+     * the queue is empty.
      *
      * <pre>{@code
      * new Thread(() -> {
@@ -353,8 +355,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, but on the calling thread. If no other thread sends the commands before this one, the calling thread does.
-     * Returns when the command has arrived.
+     * Like {@link #send}, but on the calling thread. If no other thread sends the commands in front of this one, the calling thread sends
+     * them. Returns when the command has arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line, after the board has had time to start
      * @throws PortTimeoutException if the turn did not come, so nothing was sent; or if the driver did not take the frame, of which some
@@ -502,7 +504,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work. If the work's time is over, looks at the line, since a thread that waited for its turn has not read the line. */
+    /** Does work. If the work's time is over, looks at the line: a thread that only waited for its turn has not read the line. */
     private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();

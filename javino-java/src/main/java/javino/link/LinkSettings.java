@@ -12,8 +12,8 @@ import javino.Protocol;
  * @param paced true: a frame goes to the driver only when the frame before it has left the line by the baud rate. So an urgent command
  *     never waits behind seconds of old ones. False: each frame goes to the driver at once
  * @param spacingMillis least milliseconds between the end of a frame to a version 1 board, or of its answer, and the next frame. The gap is
- *     50 ms until six answers have been timed, and longer than this setting for a board whose answers show a slow {@code loop()}. 0: no
- *     gap, for a board that keeps all messages
+ *     50 ms until six answers have been timed. It is longer than this setting if the board's answers show a slow {@code loop()}. 0: no gap,
+ *     for a board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
  * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1

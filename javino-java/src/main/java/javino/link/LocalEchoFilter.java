@@ -8,8 +8,9 @@ import javino.PerceptsRequest;
 /**
  * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, bring back all that is sent, so a
  * request would pass for its own answer.
- * <p>No board sends a request for percepts, so a request that comes back proves such a line. From then on actions that come back are no
- * messages either. Before that they count as messages, since some boards repeat their commands. One thread at a time.
+ * <p>No board sends a request for percepts, so a request that comes back proves such a line. Once an echo has proved such a line, actions
+ * that come back are no messages either. Until an echo has proved it, they count as messages, since some boards repeat their commands. One
+ * thread at a time.
  */
 final class LocalEchoFilter {
     /** The most frames that are remembered; fewer are on their way at any time. Older frames were lost on the line. */

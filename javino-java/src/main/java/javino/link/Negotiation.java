@@ -9,7 +9,8 @@ import javino.wire.WireFrame;
 /**
  * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats HELLO
  * and request until one is answered. A board of version 1 drops HELLO. A board of version 2 that was starting may have answered the request
- * in version 1, so it gets HELLO once more. If bytes came that are no message, it gets several: a damaged WELCOME may be among the bytes.
+ * in version 1, so it gets HELLO once more. If bytes came that are no message, the board gets several HELLOs: a damaged WELCOME may be
+ * among the bytes.
  * <p>A frame of version 1 follows HELLO only after the time for WELCOME: a board in a session ignores a frame of version 1 that closely
  * follows other bytes. One thread at a time.
  */

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit;
  * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
  * it sends an answer. So
  * <ul>
- *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
- *       far as {@link GapEstimate} knows it, and at least that of the settings. Exception: if only one request was open and no action was
- *       written after it, the board has handled all that it received, so the first action behind the answer starts at once;
+ *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is at least that of the settings,
+ *       and longer than the board's loop as far as {@link GapEstimate} knows the loop. Exception: if only one request was open and no
+ *       action was written after it, the board has handled all that it received, so the first action behind the answer starts at once;
  *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as an AVR's
  *       receive buffer holds. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
@@ -24,7 +24,7 @@ final class Pacer {
     static final int QUIET_MILLIS = 50;
     /** A board begins its answer within this time: its loop may take 50 ms, and so may reading its sensors. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
-    /** Bytes that an AVR holds unread: its buffer has 64, less a few that are being received. */
+    /** Bytes that an AVR holds unread: its buffer has 64 bytes, less a few that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
     /** The number of late answers in a row that prove a slow board: one or two may be this computer's fault. */
@@ -40,7 +40,7 @@ final class Pacer {
     private final int maxHoldMillis;
 
     private long lineFreeAt;
-    private long lastEnd; // end of the last frame, or of the answer behind it
+    private long lastEnd; // end of the last frame, or of the answer to it
     private final GapEstimate estimate = new GapEstimate();
     private long requestEnd;
     private boolean answerBegun;
@@ -156,7 +156,7 @@ final class Pacer {
         return lastEnd;
     }
 
-    /** Records that {@code bytes} were found together: the first of them arrived earlier, by the time that the others took. */
+    /** Records that {@code bytes} were found together. The first byte arrived earlier than the last one, by the line time of the others. */
     void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {

@@ -30,7 +30,7 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** Notes that the owner is about to give the port back: the next owner waits for that. Idempotent. */
+        /** Notes that the owner is about to give the port back, so the next owner waits until that is done. Idempotent. */
         void leave() {
             isLeaving = true;
         }

@@ -63,12 +63,12 @@ final class SessionLine {
         return monitor.get(version1::mustAskFirst);
     }
 
-    /** Records that commands of version 1 can get through from now on, or that the next may go out although the board did not answer. */
+    /** Records that commands of version 1 can get through from now on, or that the next one may go out without an answer. */
     void hasAsked() {
         monitor.change(() -> version1.hasAsked(clock.nanos()));
     }
 
-    /** The time at which commands last got through, or could begin to; in version 2, the time at which the board was last heard. */
+    /** The time at which commands last got through, or could first do so; in version 2, at which the board was last heard. */
     long movedNanos() {
         return board.speaks2() ? session.movedNanos() : version1.movedNanos();
     }
@@ -80,7 +80,7 @@ final class SessionLine {
 
     /**
      * Writes and reads on this thread until {@code isDone} returns true, called under the lock, or until {@code deadline}.
-     * @param reads whether this thread reads although nothing is expected. Then this thread leaves the commands of version 1 to other
+     * @param reads whether this thread reads although nothing is expected. A thread that reads leaves the commands of version 1 to other
      *     threads: a driver may take longer over a command than this thread waits
      * @return whether {@code isDone} returned true
      */
@@ -144,7 +144,7 @@ final class SessionLine {
 
     /**
      * Nanoseconds for one read. Nothing can end a read. During a read a follower may stop waiting, or a frame may fall due whose sender
-     * does not wait. So the reader looks again and again for due frames. A follower writes them, and the read leaves time for that.
+     * does not wait. So the reader looks again and again for due frames. A follower writes such frames, and the read leaves time for that.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {
@@ -170,7 +170,7 @@ final class SessionLine {
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
 
-    /** Nanoseconds until a thread that {@code reads} or not has a frame to write or an outcome to pass on. */
+    /** Nanoseconds until this thread, which {@code reads} or not, has a frame to write or an outcome to pass on. */
     private long nanosUntilNext(boolean reads) {
         if (reads && !board.speaks2()) {
             return Monitor.FOREVER;
@@ -195,8 +195,9 @@ final class SessionLine {
     }
 
     /**
-     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Then writes the frames that have become due meanwhile: the
-     * reading thread has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
+     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Afterwards writes the frames that have become due in the
+     * meantime: the reading thread has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no
+     * lock.
      * @param millis the most milliseconds to wait for the driver with a frame of version 2; a frame of version 1 has longer. 0: no wait,
      *     since the caller has found the first frame {@linkplain FrameWriter#isWritableNow writable now}
      */
@@ -222,7 +223,7 @@ final class SessionLine {
         try {
             writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // this finds out whether the line is gone; if not, the frame is repeated
+            inbox.look(); // this shows whether the line is gone; if it is not, the frame is repeated
         }
     }
 

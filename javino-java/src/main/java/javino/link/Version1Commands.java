@@ -20,7 +20,8 @@ final class Version1Commands {
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival says nothing of others
+    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival does not prove that other
+    // commands arrive
     private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board has not been asked
     private boolean hasToldSlowBoard;
@@ -35,7 +36,7 @@ final class Version1Commands {
         movedNanos = now;
     }
 
-    /** The time at which a command last got through, or could begin to. */
+    /** The time at which a command last got through, or could first get through. */
     long movedNanos() {
         return movedNanos;
     }
@@ -50,7 +51,7 @@ final class Version1Commands {
         return next != null && !isUnasked && board.mustAsk();
     }
 
-    /** Records that commands can get through from {@code now} on, or that the next may go out although the board did not answer. */
+    /** Records that commands can get through from {@code now} on, or that the next command may go out without an answer of the board. */
     void hasAsked(long now) {
         if (!board.mustAsk()) {
             movedNanos = now;
@@ -63,7 +64,7 @@ final class Version1Commands {
         return underWay != null || mustAskFirst() ? Monitor.FOREVER : writer.nanosUntilCommand();
     }
 
-    /** Nanoseconds until {@link #endArrived} ends a command, or {@link #mustLook} is true. */
+    /** Nanoseconds until {@link #endArrived} ends a command or {@link #mustLook} becomes true. */
     long nanosUntilArrived(long now) {
         if (!isWritten) {
             return Monitor.FOREVER;
@@ -108,7 +109,7 @@ final class Version1Commands {
         }
     }
 
-    /** Returns whether to check the device now, for a command that takes long to leave. */
+    /** Returns whether the device must be checked now, since a command takes long to leave. */
     boolean mustLook(long now) {
         boolean isTime = isWritten && lookAt - now <= 0;
         lookAt = isTime ? now + WATCH_NANOS : lookAt;

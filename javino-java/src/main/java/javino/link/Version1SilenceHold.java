@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * Holds actions back from a version 1 board that has missed an answer, if it has answered before. Such a board does not read, and its
  * buffer is soon full. It gets only requests and urgent actions until an answer comes, or for {@value #HOLD_MILLIS} ms if the board is not
- * asked again. A board that has never answered may be one that only acts. Times are nanoseconds of one steady clock. Guarded by its user's
- * lock.
+ * asked again. A board that has never answered gets its actions: it may be a board that only acts. Times are nanoseconds of one steady
+ * clock. Guarded by its user's lock.
  */
 final class Version1SilenceHold {
     static final int HOLD_MILLIS = 2_000;

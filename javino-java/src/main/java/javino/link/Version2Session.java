@@ -39,8 +39,9 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
     private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
-    private Throwable failure; // fails the commands that are out when the session closes; null: they are unconfirmed
-    private boolean hasDropped; // an answer was dropped, and none has come since
+    private Throwable
+            failure; // the failure of the commands that are out when the session closes; null: they are unconfirmed
+    private boolean hasDropped; // an answer was dropped, and no answer has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
     private boolean hasToldUndescribed;
@@ -174,7 +175,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     public void received(WireFrame frame, long now) {
         receivedNanos = now;
         session.received(frame, now);
-        if (board.noSession().isEmpty()) { // else no command would ever be given up
+        if (board.noSession().isEmpty()) { // otherwise no command would ever be given up
             movedNanos = now;
         }
         if (session.isSettled()) {

@@ -15,8 +15,8 @@ final class DeviceHolders {
     private static final String MASTER = "ptmx";
 
     /**
-     * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty if none can be seen, or if the device does
-     * not show in the file system. The program at the far end of a pseudo-terminal is left out: it is the board.
+     * The other processes that hold the device, in words ({@code process 4711 (minicom)}). Empty if none can be seen, or if the device has
+     * no file. The program at the far end of a pseudo-terminal is left out: it is the board.
      */
     static List<String> of(SerialDevice device) {
         if (!device.hasNode()) {

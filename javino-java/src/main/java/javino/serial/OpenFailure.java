@@ -26,7 +26,7 @@ enum OpenFailure {
     /** @param exists whether the device's node is there */
     static OpenFailure posix(int code, boolean exists) {
         if (code == POSIX_ENOENT) {
-            // jSerialComm's own code 2 means that it has this port open itself
+            // jSerialComm's own code 2 means that this program itself has the port open
             return exists ? OPEN_IN_THIS_PROGRAM : NO_SUCH_PORT;
         }
         if (!exists || POSIX_NO_DEVICE.contains(code)) {

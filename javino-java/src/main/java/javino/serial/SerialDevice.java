@@ -41,7 +41,7 @@ record SerialDevice(String name, String path) {
         return !hasNode() || new File(path).exists(); // without a device file, only the driver knows
     }
 
-    /** Returns whether the device shows in the file system, as it does everywhere but on Windows. */
+    /** Returns whether the device has a file, as it does everywhere but on Windows. */
     boolean hasNode() {
         return path.contains("/");
     }

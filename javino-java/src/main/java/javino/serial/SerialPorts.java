@@ -74,8 +74,8 @@ public final class SerialPorts {
     }
 
     /**
-     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty: there are none, or this user
-     * cannot see them; on systems without {@code /proc} nobody can.
+     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty: no process has it open, or this
+     * user cannot see such processes; on systems without {@code /proc} nobody can.
      */
     public static List<String> holders(String port) {
         return DeviceHolders.of(SerialDevice.of(port));

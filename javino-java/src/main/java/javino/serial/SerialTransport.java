@@ -23,7 +23,7 @@ final class SerialTransport extends DriverTransport {
     private static final int CLOSE_MILLIS = 2_000;
     /** The interval at which the driver is asked for bytes in the last slice of a wait, on a line that was used just now. */
     private static final long POLL_NANOS = 250_000L;
-    /** The longest interval, on a line that has long been still: unasked messages are rare, and each question takes time. */
+    /** The longest interval, on a line that has long been still: unasked messages are rare, and each question to the driver takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** The interval is the time since the last byte, divided by this. */
     private static final int STILL_SHARE = 8;
@@ -47,7 +47,7 @@ final class SerialTransport extends DriverTransport {
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
     private volatile long stillSince = System.nanoTime();
-    /** The driver has shown that it counts the bytes that wait in it. */
+    /** The driver has shown that it counts the bytes waiting in it. */
     private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -71,7 +71,7 @@ final class SerialTransport extends DriverTransport {
 
     private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
         if (!device.exists()) {
-            // jSerialComm would look for the name elsewhere
+            // jSerialComm would search for the name in other places
             throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         }
         SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
@@ -87,7 +87,8 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
-        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so nearly a slice counts as one
+        boolean slice =
+                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so a read of nearly a slice counts as a whole one
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();
@@ -98,7 +99,7 @@ final class SerialTransport extends DriverTransport {
     }
 
     /**
-     * The time until the driver is asked again, on a line that has been still for {@code stillNanos}. At 50 Hz the questions cost more than
+     * The time until the driver is asked again, if the line has been still for {@code stillNanos}. At 50 Hz the questions cost more than
      * all other work.
      */
     static long pollNanos(long stillNanos) {
@@ -156,7 +157,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
-        boolean interrupted = Thread.interrupted(); // an interrupted thread closes the port with the same care
+        boolean interrupted = Thread.interrupted(); // an interrupted thread closes the port as carefully
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         boolean readingEnded = false;

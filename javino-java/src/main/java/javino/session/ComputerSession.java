@@ -15,8 +15,8 @@ import javino.wire.WireFrame;
 /**
  * The computer's end of a line of version 2. The caller gives it the frames that arrive. Whenever the line is free, the caller asks for the
  * next frame to write. The order is: repetitions, a request for percepts, commands, a request for the board's vocabulary.
- * <p>A new session is closed: it sends nothing by itself until {@link #open}, or until the board answers a {@link #hello}. Then one session
- * follows another until {@link #close}, or until the board falls silent. One thread at a time.
+ * <p>A new session is closed: it sends nothing until {@link #open} is called, or until the board answers a {@link #hello}. From then on one
+ * session follows another until {@link #close}, or until the board falls silent. One thread at a time.
  * @param <C> the commands
  */
 public final class ComputerSession<C extends SessionCommand> {
@@ -35,7 +35,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After this number of frames in a row with impossible numbers, the board is not in the current session. */
+    /** After this number of frames in a row with impossible numbers, the board is taken to have left the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -123,11 +123,11 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. That ends a session that the board may have begun, so another session follows. */
+    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session follows. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
-        } else { // WELCOME arrived when it was this frame's turn
+        } else { // WELCOME arrived when this frame's turn came
             end(State.OPENING, now);
         }
     }
@@ -178,8 +178,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. A WELCOME for another HELLO than the last still proves that the board speaks version 2. If
-     * commands have begun in its session, another computer uses the same nonce.
+     * Takes a WELCOME while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version 2. If commands
+     * have already begun in the session of the WELCOME, another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -356,7 +356,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame request(long now) {
         if (requests.bytes() > 0) {
-            silentRepetitions++; // the request before has no answer
+            silentRepetitions++; // the request before this one has no answer yet
         } else if (window.size() == 0) {
             heardAt = now; // nothing has been awaited
         }

@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. The frame carries the commands that are out, up to and without place {@code end}. */
+    /** A frame on its way. The frame carries the commands that are out and stand before place {@code end}. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
@@ -119,7 +119,7 @@ final class Window<C> {
         return roundTrip;
     }
 
-    /** Takes all commands. The next one has the number 0. */
+    /** Takes all commands. The next command has the number 0. */
     List<Entry<C>> clear() {
         List<Entry<C>> all = new ArrayList<>(out);
         out.clear();

@@ -52,6 +52,6 @@ public interface BoardProgram {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** Called when the line has taken the answer to a request, with the length of both in bytes. */
+    /** Called when the line has taken the answer to a request, with the length of request and answer in bytes. */
     default void answered(int requestBytes, int answerBytes) {}
 }

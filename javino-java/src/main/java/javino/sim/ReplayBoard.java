@@ -12,8 +12,9 @@ import javino.Transport;
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
  * <p>If the recorded board was asked for its percepts, this board answers requests. The recording runs from the first request on. Each
- * request gets the newest message so far, and after the end the last one. Else this board sends each message unasked at its time, counted
- * from the opening of the port, and then falls silent. The board speaks both versions of the protocol, and takes any command.
+ * request gets the newest message up to this point of the recording; after the end, the last message. If the recorded board spoke unasked,
+ * this board sends each message at its time, counted from the opening of the port. After the last message it falls silent. The board speaks
+ * both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;

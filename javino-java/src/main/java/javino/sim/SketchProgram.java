@@ -52,7 +52,7 @@ final class SketchProgram implements BoardProgram {
         return message(sketch.sensors(), Set.of());
     }
 
-    /** The message with the percepts of some functors; an empty set: with all percepts. */
+    /** The message with the percepts of the given functors; of all functors if the set is empty. */
     private static String message(List<String> percepts, Set<String> functors) {
         return percepts.stream()
                 .map(percept -> percept + ";")

@@ -1,6 +1,9 @@
 package javino.tcp;
 
+import java.io.IOException;
 import java.net.Socket;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
 import java.security.cert.CertificateException;
 import java.security.cert.CertificateExpiredException;
 import java.security.cert.CertificateNotYetValidException;
@@ -13,18 +16,22 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts only a board that shows the expected certificate, with any issuer and any name in it. If no certificate is expected, trusts the
- * one that the board shows. The messages of its exceptions are for a person.
+ * Trusts only a board that shows its certificate in the folder, with any issuer and any name in it. If the folder has none, trusts the
+ * certificate that the board shows, and {@link #pin} keeps it. The messages of its exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
+    private static final System.Logger LOG = System.getLogger(PinnedBoard.class.getName());
+
+    private final TlsFolder folder;
+    private final TcpAddress address;
     private final Optional<X509Certificate> expected;
     private final Date now;
-    private final String file;
     private X509Certificate shown;
 
-    PinnedBoard(Optional<X509Certificate> expected, String file, Date now) {
-        this.expected = expected;
-        this.file = file;
+    PinnedBoard(TlsFolder folder, TcpAddress address, Date now) throws IOException {
+        this.folder = folder;
+        this.address = address;
+        this.expected = folder.boardAt(address);
         this.now = now;
     }
 
@@ -33,8 +40,22 @@ final class PinnedBoard extends X509ExtendedTrustManager {
         return shown;
     }
 
+    /** Keeps the trusted certificate in the folder at the first connection to the board, and logs its fingerprint. */
+    void pin(String port) throws IOException, GeneralSecurityException {
+        if (folder.boardAt(address).isPresent()) {
+            return;
+        }
+        folder.keep(address, shown);
+        LOG.log(
+                System.Logger.Level.INFO,
+                "port " + port + ": this is the first connection to the board, so its certificate, "
+                        + TlsFolder.fingerprint(shown) + ", is kept in " + folder.fileOf(address)
+                        + ", and no other one will be accepted");
+    }
+
     private void check(X509Certificate[] chain) throws CertificateException {
         X509Certificate found = chain[0];
+        Path file = folder.fileOf(address);
         if (expected.isPresent() && !expected.get().equals(found)) {
             throw new CertificateException("the board shows another certificate than the one in " + file + ": expected "
                     + TlsFolder.fingerprint(expected.get()) + ", found " + TlsFolder.fingerprint(found)

@@ -19,7 +19,6 @@ import javino.PortInterruptedException;
 
 /** Makes a TLS connection over a TCP connection: checks the board's certificate, and shows the computer's own if the board asks for it. */
 final class TlsConnector {
-    private static final System.Logger LOG = System.getLogger(TlsConnector.class.getName());
     /** The wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only behind the handshake. */
     private static final int REFUSAL_MILLIS = 300;
 
@@ -37,7 +36,7 @@ final class TlsConnector {
         this.address = address;
         this.folder = folder;
         this.limitMillis = limitMillis;
-        board = new PinnedBoard(folder.boardAt(address), folder.fileOf(address).toString(), new Date());
+        board = new PinnedBoard(folder, address, new Date());
         own = new OwnCertificate(folder.computer());
         context = SSLContext.getInstance("TLS");
         context.init(new KeyManager[] {own}, new TrustManager[] {board}, null);
@@ -86,14 +85,7 @@ final class TlsConnector {
         if (own.isAskedFor()) {
             awaitRefusal(socket, in);
         }
-        if (folder.boardAt(address).isEmpty()) {
-            folder.keep(address, board.shown());
-            LOG.log(
-                    System.Logger.Level.INFO,
-                    "port " + port + ": this is the first connection to the board, so its certificate, "
-                            + TlsFolder.fingerprint(board.shown()) + ", is kept in " + folder.fileOf(address)
-                            + ", and no other one will be accepted");
-        }
+        board.pin(port);
         return new TlsTransport(socket, in, plain, port, line, this::broken);
     }
 

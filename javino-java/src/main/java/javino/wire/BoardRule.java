@@ -51,7 +51,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
      *
      * @param place the place of the argument, 1 to 9
      * @param value a number, or the text of another term
-     * @param until the value in place of the other one while the rule is met; null: the same
+     * @param until the value that counts while the rule is met; null: {@code value} counts
      */
     public record Condition(int place, Operator operator, String value, String until) {
         /** The highest place of an argument. */

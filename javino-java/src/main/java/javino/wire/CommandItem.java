@@ -97,6 +97,6 @@ public sealed interface CommandItem {
     char NOTHING = 0xFE;
     /** The byte in front of the length of a rule. */
     char RULE = 0xFF;
-    /** The byte in front of the length of a text. A text of 128 bytes or more needs it; a shorter one may have it. */
+    /** The byte in front of the length of a text. A text of 128 bytes or more needs this byte; a shorter text may have it. */
     char LONG_TEXT = 0;
 }

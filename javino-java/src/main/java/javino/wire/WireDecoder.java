@@ -56,7 +56,7 @@ public final class WireDecoder {
         accept(bytes, offset, count, now);
     }
 
-    /** Takes one byte. Returns whether it belongs to a frame of version 2, whole or damaged. */
+    /** Takes one byte. Returns whether the byte belongs to a frame of version 2, whole or damaged. */
     public boolean accept(byte octet, long now) {
         idle(now);
         lastByteNanos = now;

@@ -78,7 +78,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         exchanges++
     }
 
-    /** Waits until the line is silent, also behind a second answer to a repeated request. Then the board may be anywhere in its loop. */
+    /** Waits until the line is silent, also behind a second answer to a request. Afterwards the board may be anywhere in its loop. */
     private fun rest() {
         link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
         await(now + random.nextLong(2 * course.times.loop))

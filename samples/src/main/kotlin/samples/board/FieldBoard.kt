@@ -99,10 +99,10 @@ class FieldBoard(
 }
 
 /**
- * The unread bytes of a board. The board reads single bytes, but those that arrived while it was busy all together.
+ * The unread bytes of a board. The board reads bytes one by one, but bytes that arrived while it was busy all together.
  *
  * A busy computer may wake the board too late. Bytes that arrived after the board's time are not part of that burst. Otherwise commands
- * would be lost that no real board loses.
+ * would be lost that a real board does not lose.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
     private val arrived = ByteArray(MAX_WAITING)

@@ -127,20 +127,20 @@ internal class CollisionRun(
         }
     }
 
-    /** Puts the robot back, and has the agent drive again as soon as it has seen that. */
+    /** Puts the robot back, and makes the agent drive again as soon as it has seen this. */
     private fun driveAgain() {
         mas.awaitEnd(REST_MS)
         robot.putBack()
         while ((witness.beliefs.distance ?: 0.0) <= levels.limit) if (mas.awaitEnd(LOOK_MS) != null) return
         val agent = mas.observed(AGENT)
-        LEFT.forEach { agent.order(it) {} } // refused if nothing of it is left
+        LEFT.forEach { agent.order(it) {} } // refused if no such belief is left
         agent.order(Order.Begin("start")) { outcome -> outcome.refusal?.let { println("the robot is put back, but does not drive: $it") } }
     }
 
     private companion object {
         const val AGENT = "robot"
 
-        /** What a drive may leave in the agent's mind. */
+        /** Beliefs that a drive may leave in the agent's mind. */
         val LEFT = listOf(Order.Drop("moving"), Order.Forget("status(_)"))
         val OPEN = setOf("on", "timeout")
 

@@ -19,7 +19,7 @@ internal interface Scene {
 
 /**
  * The simulated [robot], whose place is known whatever its agent believes. If the robot stands, the run has ended only if the agent
- * believes so, since an agent that waits for its board's answer will go on.
+ * believes so: an agent that still waits for its board's answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -60,7 +60,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** A robot on a [port]. Only the agent's beliefs tell where it is. */
+/** A robot on a [port]. Only the agent's beliefs tell where the robot is. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

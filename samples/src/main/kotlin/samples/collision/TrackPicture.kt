@@ -12,7 +12,7 @@ import kotlin.math.roundToInt
  * @property doing the robot's state, such as `driving`
  */
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
-    /** Draws the track for the live view, under [caption]; null: the distance and the robot's state. */
+    /** Draws the track for the live view with [caption] below it; null: the caption is the distance and the robot's state. */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
     /** Draws the track in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */

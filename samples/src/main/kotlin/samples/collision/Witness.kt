@@ -45,7 +45,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
 
     /**
      * @property distance the front distance in cm; null: the agent has perceived none
-     * @property status `front` while the agent lets the robot drive, `stopped` after the agent has stopped the robot, null before either
+     * @property status `front` while the agent lets the robot drive, `stopped` after the agent has stopped the robot, null before both
      * @property trouble the reason why the agent cannot go on; null: it can
      * @property port the state of the agent's port: `on`, `off` or `timeout`; null: the agent has not asked for a port
      */
@@ -57,7 +57,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     ) {
         val isStopped: Boolean get() = status == STOPPED
 
-        /** True if the agent has had its robot drive and has not stopped it. */
+        /** True if the agent has made its robot drive and has not stopped it. */
         val mayDrive: Boolean get() = status != null && !isStopped
     }
 

@@ -16,7 +16,7 @@ import kotlin.random.Random
  * @param minutes the time that has passed since five o'clock; never less than before
  */
 open class Greenhouse(private val random: Random, private val minutes: () -> Double) : Sketch {
-    private var minute = 0 // the greenhouse has been computed up to here
+    private var minute = 0 // the time up to which the greenhouse has been computed
     private var isPumping = false
     private var isOpen = false
 

@@ -21,7 +21,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
-        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, like Jason
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, as in Jason
     }
 
     /**
@@ -68,7 +68,10 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     private fun archOf(agent: String): Arch =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().first()
 
-    /** Waits until an agent has ended the system, at most [millis] ms. Returns the agent's exit status; null if none has ended it. */
+    /**
+     * Waits until an agent has ended the system, at most [millis] ms. Returns the agent's exit status; null if no agent has ended the
+     * system.
+     */
     fun awaitEnd(millis: Long): Int? = try {
         ended.get(millis, TimeUnit.MILLISECONDS)
     } catch (_: TimeoutException) {

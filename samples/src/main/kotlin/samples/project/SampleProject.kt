@@ -35,11 +35,11 @@ class SampleProject(private val name: String) {
 
     /** Gives [agent] these initial beliefs in place of those in the project. */
     fun believe(agent: String, vararg beliefs: Literal) {
-        agent(agent).addOption("beliefs", "") // not as an option, since not every string survives as its text
+        agent(agent).addOption("beliefs", "") // not as an option, since not every string survives as the text of an option
         given[agent] = beliefs.asList()
     }
 
-    /** Has [agent] run the program in [file]. */
+    /** Makes [agent] run the program in [file]. */
     fun run(agent: String, file: Path) = agent(agent).setSource("${file.toUri().toURL()}")
 
     /** Copies [files] of the project, as `filters/front.xml`, into the new folder [target]. */

@@ -15,7 +15,7 @@ enum class Level {
     HINT,
 }
 
-/** A part of [file]. The position [end] is the first behind the part. */
+/** A part of [file]. The position [end] is the first position behind the part. */
 data class Place(val file: Path, val begin: Position, val end: Position) {
     override fun toString(): String = "$file:$begin"
 }

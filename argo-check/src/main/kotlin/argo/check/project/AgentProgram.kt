@@ -54,7 +54,7 @@ class AgentProgram(val path: Path, text: String) {
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
     }
 
-    /** Returns whether findings in [line] are ignored. A comment in [line], or alone in the line above, asks for this. */
+    /** Returns whether findings in [line] are ignored. A comment in [line], or in a line of its own above, asks for this. */
     fun isIgnored(line: Int): Boolean = line in ignoredLines
 
     private val ignoredLines: Set<Int> by lazy {

@@ -5,7 +5,7 @@ import argo.check.syntax.Span
 import javino.PerceptKind
 import kotlin.io.path.name
 
-/** A word to which [file] gives a meaning, at [span]. If it [isObserved], a board was seen to use it, and may use others. */
+/** A word to which [file] gives a meaning, at [span]. If it [isObserved], a board was seen to use the word, and may use other words. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
 /** A part [span] of [file] that describes no percept, for a [reason]. */

@@ -28,7 +28,7 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
 
     private val lines by lazy { Lines(text) }
 
-    /** Returns the word or the tag in [line] that begins at [column], each counted from 1. */
+    /** Returns the word or the tag at [column] of [line], both counted from 1. */
     fun place(line: Int, column: Int = 1): Place {
         val begin = lines.offset(Position(line, column))
         val end = (begin + 1..text.length).find { it == text.length || text[it] in ENDS } ?: begin

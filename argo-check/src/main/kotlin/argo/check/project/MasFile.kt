@@ -58,7 +58,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
 
     private val infrastructure: Token? = after("infrastructure").firstOrNull()
 
-    /** True if its agents may meet agents of other programs: on a platform, on other computers. */
+    /** True if its agents may meet agents of other programs, as on a platform or on other computers. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
     /** The fleet of several computers in this project; null: none. */

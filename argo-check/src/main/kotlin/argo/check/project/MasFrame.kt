@@ -6,7 +6,7 @@ import argo.check.syntax.TokenKind
 
 /**
  * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. Each instance reads a single file. [end] is
- * the token for the end of the file.
+ * the token that marks the end of the file.
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0
@@ -50,7 +50,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     /** Takes options, a number, a class or a host of an agent. */
     private fun part() = when (current.text) {
-        "[" -> skipBehind("]")
+        "[" -> skipBracket("[", "]")
         "#" -> {
             at++
             take("a number") { it.kind == TokenKind.NUMBER }
@@ -59,7 +59,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
             at++
             take("a name") { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE || it.kind == TokenKind.STRING }
             skipTo { current.span.start > tokens[at - 1].span.end || current.text in BEHIND_NAME }
-            if (current.isSymbol("(")) skipBehind(")") else Unit
+            if (current.isSymbol("(")) skipBracket("(", ")") else Unit
         }
         else -> take(";")
     }
@@ -67,9 +67,14 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun isAtSection() = current.isSymbol("}") ||
         (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
 
-    private fun skipBehind(symbol: String) {
-        skipTo { current.isSymbol(symbol) }
-        take(symbol)
+    /** Goes behind the bracket that closes the [open] here. Arguments of a class may be classes with arguments. */
+    private fun skipBracket(open: String, close: String) {
+        var depth = 0
+        skipTo {
+            if (current.isSymbol(open)) depth++
+            current.isSymbol(close) && --depth == 0
+        }
+        take(close)
     }
 
     private fun skipTo(isThere: () -> Boolean) {

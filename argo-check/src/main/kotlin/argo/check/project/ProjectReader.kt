@@ -81,7 +81,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
     private fun originalOf(file: Path): Path = try {
         file.toRealPath()
     } catch (_: IOException) {
-        file // the file has gone, which is told when it is read
+        file // the file has gone, which is reported when it is read
     }
 
     private fun read(root: Path, files: List<Path>): Project {

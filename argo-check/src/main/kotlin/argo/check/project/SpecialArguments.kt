@@ -4,7 +4,7 @@ import argo.check.syntax.Literal
 
 /** The arguments of Jason's internal actions that are literals with a role, not data. */
 internal object SpecialArguments {
-    /** Returns the roles of the arguments of [call] that have one, by the arguments' index from 0. */
+    /** Returns the roles of those arguments of [call] that have a role, by the arguments' index from 0. */
     fun of(call: Literal): Map<Int, Role> = when (call.functor) {
         ".send" -> contentOf(call, performative = 1)
         ".broadcast" -> contentOf(call, performative = 0)

@@ -120,7 +120,7 @@ internal object ArgoCallRules : Rule {
     private fun portsIn(calls: List<Call>): List<Term> =
         calls.filter { it.action == "port" }.mapNotNull { it.arguments.firstOrNull() }.filter { it !is Variable }
 
-    /** Only programs for other versions of ARGO write the dot, and such programs may mean nanoseconds. */
+    /** Only programs for other versions of ARGO write the dot of `.limit`, and such programs may mean nanoseconds. */
     private fun slowLimit(calls: List<Call>, report: Report) {
         val slow = calls.firstOrNull { call ->
             call.action == "limit" && call.name.startsWith(".") &&

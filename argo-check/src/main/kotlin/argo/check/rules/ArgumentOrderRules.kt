@@ -23,7 +23,7 @@ internal object ArgumentOrderRules : Rule {
         return true
     }
 
-    /** Reports two neighbouring variables that elsewhere hardly ever stand in this order, but in the reverse order in several plans. */
+    /** Reports two neighbouring variables whose order is hardly ever seen elsewhere, while the reverse order stands in several plans. */
     private fun ofVariables(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report) {
         val own = inside.flatMap { it.neighbours }.toSet()
         for ((first, second) in literal.neighbours) {
@@ -83,7 +83,7 @@ internal object ArgumentOrderRules : Rule {
         return misplaced.none { it < 0 } && misplaced.sum() >= ENOUGH
     }
 
-    /** Returns true if one of the two is a string in a column of variables, and the other a variable in a column of strings. */
+    /** Returns true if one argument is a string in a column of variables, and the other a variable in a column of strings. */
     private fun isStringForVariable(literal: OpenLiteral, columns: List<Column>, index: Int): Boolean {
         val (text, variable) = listOf(index, index + 1).sortedByDescending { literal.arguments[it].isString }
         return literal.arguments[text].isString && literal.arguments[variable].isVariable &&
@@ -97,8 +97,8 @@ internal object ArgumentOrderRules : Rule {
     }
 
     /**
-     * Returns how strongly the other literals suggest that [argument] of the column [here] belongs in the column [there], where [neighbour]
-     * is. Negative: [argument] is in its place.
+     * Returns how strongly the other literals suggest that [argument] of the column [here] belongs in the column [there], in which
+     * [neighbour] stands. Negative: [argument] is in its place.
      */
     private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
         val sign = argument.sign ?: return 0
@@ -124,6 +124,6 @@ internal object ArgumentOrderRules : Rule {
     private const val ALIKE = 1
     private const val ENOUGH = 2
 
-    /** This number of other plans makes an order the usual one. */
+    /** If this number of other plans has an order, the order is usual. */
     private const val MIN_PLANS = 2
 }

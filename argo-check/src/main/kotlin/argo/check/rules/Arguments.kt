@@ -43,7 +43,7 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
 
     val isString: Boolean = term is StringTerm
 
-    /** The letters of a numbered atom, such as `post` of `post5`; null for others. */
+    /** The letters of a numbered atom, such as `post` of `post5`; null: the term is no such atom. */
     val stem: String? = (term as? Literal)?.takeIf { it.arity == 0 }?.let { NUMBERED.matchEntire(it.functor) }?.groupValues?.get(1)
 
     private fun kindOf(term: Term): String? = when (term) {
@@ -65,7 +65,7 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
 internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
     val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
 
-    /** The neighbouring arguments that are variables with other names. */
+    /** The neighbouring arguments that are variables with different names. */
     val neighbours: List<Pair<String, String>> get() = arguments.zipWithNext().filter { (a, b) -> a.isVariable && b.isVariable }
         .mapNotNull { (a, b) -> a.sign?.let { first -> b.sign?.let { first to it } } }.filter { (first, second) -> first != second }
 

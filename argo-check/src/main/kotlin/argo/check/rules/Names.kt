@@ -2,7 +2,7 @@ package argo.check.rules
 
 /** Finds the name of [names] that a person may have meant. Make one instance for many questions: an index makes each question fast. */
 internal class Names(names: Collection<String>) {
-    /** The names by each of their parts. Slips leave at least one part unchanged, at most one letter away from its place. */
+    /** The names by each of their parts. After a slip at least one part is unchanged, at most one letter away from its place. */
     private val byPart: Map<Part, List<Name>> by lazy {
         names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
             .flatMap { name -> partsOf(name.text.length).map { Part(name.text.length, it.first, name.text.substring(it)) to name } }
@@ -28,7 +28,7 @@ internal class Names(names: Collection<String>) {
         }
     }
 
-    /** Divides a name into so many parts that slips leave one unchanged; each slip may change two. */
+    /** Divides a name into so many parts that slips leave one part unchanged; each slip may change two parts. */
     private fun partsOf(length: Int): List<IntRange> {
         val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
         return (0 until number).map { it * length / number until (it + 1) * length / number }
@@ -57,7 +57,7 @@ private fun isNear(a: String, b: String): Boolean {
     return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
-/** Returns true if the names differ only in a one-letter part, like `OldX` and `OldY`, and so tell things of one kind apart. */
+/** Returns true if the names differ only in a part of one letter, like `OldX` and `OldY`, so they name two things of one kind. */
 private fun areVariants(a: String, b: String): Boolean {
     val at = a.indices.filter { it < b.length && a[it] != b[it] }.singleOrNull() ?: return false
     return a.length == b.length && isPart(a, at) && isPart(b, at)
@@ -69,7 +69,7 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]. A result above 2 is not
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to turn [a] into [b]. A result above 2 is not
  * exact.
  */
 fun editDistance(a: String, b: String): Int {
@@ -95,7 +95,7 @@ private fun distanceWithin(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Two letters, each replaced by another. */
+/** Two letters that are each replaced by another letter. */
 private const val MOST_OTHER_LETTERS = 4
 private const val MIN_LENGTH = 2
 private const val LONG = 10

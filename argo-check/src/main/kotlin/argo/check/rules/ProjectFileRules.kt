@@ -55,7 +55,8 @@ internal object ProjectFileRules {
     }
 
     /**
-     * Warns of another version's jar. The jars of both versions have classes of the same names, and the first jar on the class path wins.
+     * Warns of the jar of another version. The jars of both versions have classes of the same names, and the first jar on the class path
+     * wins.
      */
     private fun otherArgo(token: Token, report: Report) {
         if (token.kind != TokenKind.STRING && !token.text.startsWith('\'') || !OTHER_ARGO.containsMatchIn(token.text)) return

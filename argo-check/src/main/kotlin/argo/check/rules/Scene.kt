@@ -35,7 +35,7 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     /** True if plans may come from missing files, messages or strings. */
     val hasUnknownPlans: Boolean = parts.isOpen || facts.hasMadePlans || parts.programs.any { it.hasPatterns }
 
-    /** True if the project's texts contain all that posts goals, adds beliefs or reads beliefs for this agent. */
+    /** True if the project's texts contain everything that posts goals, adds beliefs or reads beliefs for this agent. */
     val isClosed: Boolean by lazy {
         isAgent && !hasUnknownPlans && facts.isWhole && parts.programs.all { it.program.errors.isEmpty() } &&
             agents.none { agent -> agent.hasOwnClass || agent.architectures.any { it.text != MasAgent.ARCHITECTURE } }
@@ -58,7 +58,10 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     companion object {
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
-        /** The beliefs that ARGO itself adds: those about boards, and that the agent goes on from its last run. No filter drops them. */
+        /**
+         * The beliefs that ARGO itself adds: beliefs about boards, and the belief that the agent goes on from its last run. No filter drops
+         * them.
+         */
         val OF_ARGO = OWN_BELIEFS.keys.map { it.substringBefore('/') }.toSet() + "resumed"
 
         /** Events, goals and beliefs that Jason makes. */

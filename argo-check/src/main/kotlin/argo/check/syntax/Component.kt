@@ -71,7 +71,7 @@ enum class BodyOperator(val symbol: String) {
     /** True if the operator adds a belief. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
-    /** True if the statement deletes a belief and adds none in its place. */
+    /** True if the statement deletes a belief and adds no other in its place. */
     val deletes: Boolean get() = this == DELETE || this == DELETE_APART
 }
 

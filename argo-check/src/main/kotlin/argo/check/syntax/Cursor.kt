@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** Walks over tokens. After an [error][fail] it acts as if at the end until [restart], so that each reader returns its part. */
+/** Walks over tokens. After an [error][fail] it acts as if the text had ended, until [restart], so that each reader returns its part. */
 internal class Cursor(private val tokens: List<Token>, private val lines: Lines, private val report: (SyntaxError) -> Unit) {
     private val end = Token(TokenKind.UNKNOWN, "", lines.end)
     private var depth = 0
@@ -69,7 +69,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     /**
      * Moves behind an error to the probable beginning of a component: behind a full stop, or at a line that begins like one. Looks for such
-     * a line from token [from] on, which is before the error. So the reader reads each token twice at most.
+     * a line from token [from] on, which comes before the error. So the reader reads each token twice at most.
      */
     fun restart(from: Int) {
         isLost = false

@@ -86,7 +86,7 @@ class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands
 
-    /** True if all operators are those of numbers. */
+    /** True if all operators are operators on numbers. */
     val isArithmetic: Boolean get() = operators.all { it.text in ARITHMETIC }
 
     fun isOf(symbol: String): Boolean = operators.all { it.text == symbol }

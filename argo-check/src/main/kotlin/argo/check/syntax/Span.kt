@@ -12,7 +12,7 @@ data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun toString(): String = "$line:$column"
 }
 
-/** The part of a text from offset [start] up to, but without, offset [end]. Offsets count UTF-16 units from 0. */
+/** The part of a text from offset [start] up to offset [end], which is not part of it. Offsets count UTF-16 units from 0. */
 data class Span(val start: Int, val end: Int) {
     val length: Int get() = end - start
 

@@ -64,6 +64,7 @@ class MasFrameSpec : FunSpec({
             "MAS m { agents: a b.asl [verbose=1,x=\"y;}\"] agentArchClass argo.Arch #2 at \"h\"; b; }",
             "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; " +
                 "aslSourcePath: \"x\"; }",
+            "MAS m { agents: a beliefBaseClass x.C(y.D, z.E(\"p(k,_)\"), [1,[q.R(2)]]); b [verbose=1] agentClass v.W(); }",
             "/* c */ MAS m { agents: a; directives: d=x.Y; } x",
         ).forEach { text ->
             test("in '$text'") {

@@ -42,11 +42,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** Returns the result of [load]. The message of a failure contains all its causes, up to the refusal of a filter. */
+    /** Calls [load] and returns the result. The message of a failure contains all its causes, up to the refusal of a filter. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // a class throws a linkage error if its static initializer fails
+        // Java throws a linkage error if the class's static initializer fails
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()

@@ -32,7 +32,7 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
 
 /** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
-    /** [names] are those members of an argument that are no part of a condition. [read] takes them, with the argument's index if known. */
+    /** [names] are the members of an argument that are no part of a condition. [read] takes them, with the argument's index if known. */
     private class Besides(val names: List<String>, val read: (members: Map<String, Member>, index: Int?) -> Unit)
 
     fun filter(node: FilterNode): PerceptionFilter? {
@@ -103,7 +103,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
     private fun window(member: Member?): Int? =
         scalar(member, Scalar::isBare, SmoothingRule.WINDOW) { it.trim().toIntOrNull()?.takeIf(SmoothingRule::isWindow) }
 
-    /** Returns the rule without its rate. Members of its arguments that are no part of a condition go to [besides]. */
+    /** Returns the rule without its rate. The members of arguments that are no part of a condition go to [besides]. */
     private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, besides) }
@@ -205,7 +205,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
-    /** Applies [read] to a scalar of the right kind. Reports values of another kind, and those for which [read] returns null. */
+    /** Applies [read] to a scalar of the right kind. Reports values of another kind, and values for which [read] returns null. */
     private fun <T> scalar(member: Member?, isOfKind: (Scalar) -> Boolean, expected: String, read: (String) -> T?): T? {
         if (member == null || member.value is FilterNode.Refused) return null
         val found = (member.value as? Scalar)?.takeIf(isOfKind)?.let { read(it.content) }

@@ -67,7 +67,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** Reads a limit. A limit without an operator of its own has the operator of the element [around] it. */
+    /** Reads a limit. A limit without an operator has the operator of the element [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -95,7 +95,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
     }
 
-    /** Reports [problem], unless the document breaks off in [element], which is then the cause. */
+    /** Reports [problem]. But if the document breaks off in [element], reports nothing, since the break is the cause. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
         if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)
@@ -170,7 +170,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         /** The members of the tree, by the names of attributes with another name. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
-        /** Files of earlier versions contain the second spelling. [XmlTree] knows their other spellings. */
+        /** Files of earlier versions use the second spelling. [XmlTree] knows their other spellings. */
         val ANNOTATION = arrayOf("annotation", "anotation")
     }
 }

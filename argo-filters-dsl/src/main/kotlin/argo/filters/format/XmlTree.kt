@@ -23,7 +23,7 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
-    /** The position of [text]; that of the element if it has no text. */
+    /** The position of [text]; without a text, the position of the element. */
     val textPosition: Position
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
@@ -77,7 +77,7 @@ internal class XmlTree(private val document: String, private val source: String)
         return null
     }
 
-    /** Returns the end of the tag. The parser counts one character too few in a line that begins after a bare carriage return. */
+    /** Returns the end of the tag. In a line that begins after a bare carriage return, the parser counts one character too few. */
     private fun endOf(reader: XMLStreamReader): Int {
         if (reader.location.lineNumber < 1) return document.length
         return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1

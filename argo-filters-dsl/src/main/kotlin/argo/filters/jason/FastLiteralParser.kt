@@ -96,7 +96,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     private companion object {
         const val MAX_DEPTH = 64
 
-        /** Characters behind a word that make it the beginning of a name or a structure. */
+        /** Characters that show, behind a word, that it is the beginning of a name or a structure. */
         val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 

@@ -36,12 +36,12 @@ class MessageSession(
     /**
      * Returns what the agent perceives of a message that has been split into the [texts] of its percepts.
      *
-     * @param old the texts of percepts whose sensors have not been read since the last message, as for [FilterSession.perceive]
+     * @param old the texts of percepts whose sensors have not been read since the last message, like those for [FilterSession.perceive]
      */
     fun perceive(texts: List<String>, nowMs: Long, old: Set<String> = emptySet()): MessagePerception =
         literals(session.perceive(texts, nowMs, old))
 
-    /** Forgets earlier percepts, as [FilterSession.forget]. */
+    /** Forgets earlier percepts, like [FilterSession.forget]. */
     fun forget(): Unit = session.forget()
 
     /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */
@@ -63,7 +63,7 @@ class MessageSession(
 /**
  * The percepts of one message that reach an agent.
  *
- * @property texts the percepts as texts, with the time at which the next held-back one is due
+ * @property texts the percepts as texts, and the time at which the next held-back percept is due
  * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
  * @property seen the literals of the message's own percepts that the filter let through
  * @property critical the percepts that meet critical rules, once for each such rule

@@ -30,7 +30,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     /** True if a condition has two limits. */
     val hasLatches: Boolean = compiled.any { it.isLatch }
 
-    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: neither namespace nor negation. */
+    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: no namespace and no negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -39,7 +39,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
 
     /**
      * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
-     * tell which conditions with two limits have held so far; null: none.
+     * say which conditions with two limits have held so far; null: none have.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
@@ -76,7 +76,8 @@ private class CompiledCondition(condition: Condition) {
         if (argument >= TermBounds.arity(tail)) return false
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        return tests[0].isMetBy(text, start, argumentEnd) || until != null && latches != null && until.isMetBy(text, start, argumentEnd) &&
+        if (tests[0].isMetBy(text, start, argumentEnd)) return true
+        return until != null && latches?.areAllOff == false && until.isMetBy(text, start, argumentEnd) &&
             latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
     }
 
@@ -85,8 +86,10 @@ private class CompiledCondition(condition: Condition) {
         if (argument >= TermBounds.arity(tail)) return
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        val wasOn = latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
-        latches.set(wasOn, tests[0].isMetBy(text, start, argumentEnd) || wasOn && until?.isMetBy(text, start, argumentEnd) == true)
+        val isMet = tests[0].isMetBy(text, start, argumentEnd)
+        if (!isMet && latches.areAllOff) return
+        val isWithin = until?.isMetBy(text, start, argumentEnd) == true
+        latches.note(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet, isWithin)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

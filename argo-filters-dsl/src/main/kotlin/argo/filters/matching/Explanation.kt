@@ -22,10 +22,10 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** The percept waits for a while. Until then the agent perceives the last percept of its kind that was let through. */
+        /** The percept waits for a while. While it waits, the agent perceives the last percept of the same kind that was let through. */
         HELD_BACK("is held back"),
 
-        /** Another percept of the same sensor stands for it, by a smoothing rule, and has its own fate. */
+        /** By a smoothing rule, another percept of the same sensor stands for the percept, and has its own fate. */
         REPLACED("is replaced"),
     }
 
@@ -41,7 +41,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
-        /** Explains the fate of [percept]. If it stands for [received], critical rules that are not smoothed test [received]. */
+        /** Explains the fate of [percept]. If [percept] stands for [received], critical rules that are not smoothed test [received]. */
         fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
             val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
             if (critical != null) {

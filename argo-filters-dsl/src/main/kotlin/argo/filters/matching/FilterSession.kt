@@ -4,7 +4,8 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last ones of sensors.
+ * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last percepts of each
+ * sensor.
  *
  * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
  * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
@@ -14,7 +15,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var rates = RateMemory<P>(null)
     private var smoother: Smoother<P>? = null
     private var latches: Latches? = null
-    private var picture = Picture<P>(emptyList())
+    private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, P> = emptyMap()
 
@@ -27,24 +28,26 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      *
      * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains these frozen percepts until
      * the next change of filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The
-     * session also [forgets][forget] earlier percepts.
+     * session also [forgets][forget] earlier percepts, but critical rules that both filters have go on to hold until their second limits.
      */
     fun switchTo(filter: PerceptionFilter?) {
-        val next = filter?.matcher()
+        val next = filter?.let { PerceptMatcher(it, matcher) }
+        val held = latches
         frozen = if (next != null && filter.onSwitch == OnSwitch.FREEZE) hiddenBy(next) else emptyMap()
         matcher = next
         forget()
+        if (latches != null && held != null) latches = held
     }
 
     /**
-     * Forgets the percepts that rates held back, and the last ones of each sensor. Call this if later percepts come from another time or
-     * place, and must not be compared with earlier ones.
+     * Forgets the percepts that rates held back, and the last percepts of each sensor. Call this if later percepts come at another time or
+     * from another board, and must not be compared with earlier ones.
      */
     fun forget() {
         rates = RateMemory(filter)
         smoother = matcher?.takeIf { it.filter.smoothing.isNotEmpty() }?.let { Smoother(it, textOf, annotated) }
         latches = if (matcher?.hasLatches == true) Latches() else null
-        picture = Picture(emptyList())
+        picture = Picture()
         last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
 
@@ -56,18 +59,19 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     @JvmOverloads
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
         val received = java.util.List.copyOf(percepts)
-        picture = smoother?.picture(received, nowMs, picture, old) ?: Picture(received)
+        picture = smoother?.picture(received, nowMs, old) ?: picture.also { it.begin(received) }
         latches?.let(::note)
         return decided(nowMs)
     }
 
-    private fun note(latches: Latches) = picture.received.indices.forEach { place ->
-        matcher?.note(textOf(picture.received[place]), textOf(picture.standing[place]), latches)
+    private fun note(latches: Latches) {
+        latches.begin()
+        for (place in picture.received.indices) matcher?.note(textOf(picture.received[place]), textOf(picture.standing(place)), latches)
     }
 
     /**
      * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
-     * is the last perception with each due percept in the place of its predecessor.
+     * is the last perception, with each due percept put in the place of its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
@@ -115,11 +119,14 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return FilteredPercepts(picture.received, kept, seen, criticalOf(matcher), holds.minOfOrNull { it.dueMs })
     }
 
-    /** Returns the percept that the agent perceives for the one at [place]; null: none. Adds rules that hold it back to [holds]. */
+    /**
+     * Returns the percept that the agent perceives for the percept at [place]; null: it perceives none. Adds rules that hold it back to
+     * [holds].
+     */
     private fun decided(matcher: PerceptMatcher, place: Int, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val received = picture.received[place]
-        val isStandIn = picture.standing[place] !== received && !matcher.isCritical(textOf(received), latches)
-        val percept = if (isStandIn) picture.standing[place] else received
+        val isStandIn = picture.standing(place) !== received && !matcher.isCritical(textOf(received), latches)
+        val percept = if (isStandIn) picture.standing(place) else received
         if (!rates.isEmpty) return rated(matcher, received, percept, nowMs, holds)
         val text = textOf(percept)
         return if (matcher.drops(text, 0, text.length, isStandIn, latches)) null else percept
@@ -143,7 +150,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     private fun criticalOf(matcher: PerceptMatcher): List<CriticalPercept<P>> {
         if (matcher.filter.critical.isEmpty()) return emptyList()
-        return picture.received.indices.flatMap { criticalOf(matcher, picture.received[it], picture.standing[it]) }.distinct()
+        return picture.received.indices.flatMap { criticalOf(matcher, picture.received[it], picture.standing(it)) }.distinct()
     }
 
     private fun criticalOf(matcher: PerceptMatcher, received: P, percept: P): List<CriticalPercept<P>> {

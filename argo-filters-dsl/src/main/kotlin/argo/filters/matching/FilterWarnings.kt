@@ -11,7 +11,7 @@ import argo.filters.SmoothingRule
 /**
  * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
  * rules and conditions, deadbands and smoothing on missing arguments, and critical rules that are smoothed by no rule. A filter without
- * rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but some parts without effect are not found.
+ * rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but there may be further parts without effect.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -79,7 +79,7 @@ private class ReviewedRule(
         val doesAtLeastAsMuch = when {
             critical != null ->
                 critical.smoothed == other.critical?.smoothed && other.critical.reflex.let { it == null || it == critical.reflex }
-            // a rule with a rate remembers percepts, so only a rule for exactly the same percepts can replace it
+            // a rule with a rate remembers percepts, so only a rule for exactly the same percepts makes it superfluous
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)

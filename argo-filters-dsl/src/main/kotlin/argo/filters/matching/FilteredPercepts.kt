@@ -8,10 +8,10 @@ import java.util.Collections
  *
  * @property received the percepts as they came
  * @property kept the percepts that the agent perceives, in the order of [received], with the frozen ones at the end. In place of a
- *   held-back percept it has the last percept of that kind that was let through.
+ * held-back percept it has the last percept of the same kind that was let through.
  * @property seen the percepts of [kept] that came and passed: no replacements of held-back percepts, no frozen ones
  * @property critical the percepts of [received] that meet critical rules, once for each such rule
- * @property nextDueMs the time of the caller's clock, in ms, at which the next held-back percept is due; null: no percept is held back
+ * @property nextDueMs the time at which the next held-back percept is due, by the caller's clock, in ms; null: no percept is held back
  */
 class FilteredPercepts<P> internal constructor(
     val received: List<P>,

@@ -8,7 +8,7 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.SmoothingRule
 
 /**
- * Decides over percepts by a filter's rules. Immutable; any thread may use it.
+ * Decides about percepts by a filter's rules. Immutable; any thread may use it.
  *
  * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
  * each percept as the first of its sensor: no rate holds it back, and it stands for itself.
@@ -16,9 +16,12 @@ import argo.filters.SmoothingRule
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
     val filter: PerceptionFilter,
+    before: PerceptMatcher? = null, // critical rules that it has too are the same objects here, so latches go on to know them
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
-    private val criticalIndex = if (filter.critical.isEmpty()) null else RuleIndex(filter.critical.map { CompiledRule(it.rule, it) })
+    private val critical: List<CompiledRule> =
+        filter.critical.map { rule -> before?.critical?.find { it.critical == rule } ?: CompiledRule(rule.rule, rule) }
+    private val criticalIndex = if (critical.isEmpty()) null else RuleIndex(critical)
     private val smoothingIndex =
         if (filter.smoothing.isEmpty()) null else RuleIndex(filter.smoothing.map { CompiledRule(it.rule, smoothing = it) })
     private val drops = filter.mode == Mode.DROP
@@ -28,8 +31,8 @@ class PerceptMatcher internal constructor(
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
-     * True if no smoothing rule has a condition on an argument that is smoothed: then the number of a percept has no part in the choice of
-     * its rule.
+     * True if no smoothing rule has a condition on an argument that is smoothed. If so, the number of a percept does not influence the
+     * choice of its rule.
      */
     internal val smoothsByName: Boolean = filter.smoothing.map { it.argument }.toSet().let { smoothed ->
         filter.smoothing.none { smoothing -> smoothing.rule.conditions.any { it is Condition.Argument && it.index in smoothed } }
@@ -77,7 +80,7 @@ class PerceptMatcher internal constructor(
     internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
         smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
 
-    /** Notes in [latches] which conditions with two limits hold from now on, after [received] has come and [standing] stands for it. */
+    /** Notes which conditions with two limits hold from now on, in [latches]: [received] has come, and [standing] stands for it. */
     internal fun note(received: String, standing: String, latches: Latches) {
         note(index, standing, latches) { true }
         if (criticalIndex == null) return

@@ -67,7 +67,7 @@ internal class PerceptText private constructor(
     }
 }
 
-/** Finds the percept in [text] from [start] to [end] and returns the result of [found] for it; [none] if there is no percept. */
+/** Finds the percept in [text] from [start] to [end] and returns what [found] returns for it; [none] if there is no percept. */
 internal inline fun <T> scan(
     text: CharSequence,
     start: Int,

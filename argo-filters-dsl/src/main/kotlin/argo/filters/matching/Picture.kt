@@ -2,17 +2,34 @@ package argo.filters.matching
 
 import java.util.BitSet
 
-/**
- * The percepts of one picture of the world, in their order.
- *
- * @property received the percepts as they came
- * @property standing the percepts that stand for the received ones, at the same places
- * @param doubted the places of received percepts that are not credible, so that older ones stand for them
- */
-internal class Picture<P>(val received: List<P>, val standing: List<P> = received, private val doubted: BitSet = BitSet()) {
-    /** Returns the received percepts, and those that stand for a credible one. */
+/** The percepts of one picture of the world, in their order. It can be filled again, which allocates nothing. */
+internal class Picture<P> {
+    /** The percepts as they came. */
+    var received: List<P> = emptyList()
+        private set
+
+    private val standing = ArrayList<P>() // for the first ones received; each further one stands for itself
+    private val doubted = BitSet()
+
+    /** Makes this the picture of [received], each of which stands for itself until [stand] is called. */
+    fun begin(received: List<P>) {
+        this.received = received
+        standing.clear()
+        doubted.clear()
+    }
+
+    /** Has [percept] stand for the first received one for which [stand] has not been called. If [isDoubted], that one is not credible. */
+    fun stand(percept: P, isDoubted: Boolean) {
+        if (isDoubted) doubted.set(standing.size)
+        standing += percept
+    }
+
+    /** Returns the percept that stands for the one received at [place]. */
+    fun standing(place: Int): P = if (place < standing.size) standing[place] else received[place]
+
+    /** Returns the received percepts, and the percepts that stand for credible ones. */
     fun seen(): Set<P> = received.toHashSet().apply {
-        if (standing !== received) standing.forEachIndexed { place, percept -> if (!doubted[place]) add(percept) }
+        standing.forEachIndexed { place, percept -> if (!doubted[place]) add(percept) }
     }
 
     /** Returns the place of each of [percepts] that was received. */

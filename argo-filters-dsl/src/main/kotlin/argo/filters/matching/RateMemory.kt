@@ -6,16 +6,16 @@ import argo.filters.Rate
 
 /** A [percept] that was let through at [atMs], with its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** The time at which the first newer percept was held back; null: none has been. */
+    /** The time at which the first newer percept was held back; null: no newer percept was held back. */
     var heldSinceMs: Long? = null
 }
 
-/** The [rule] holds a percept back until [dueMs]; until then the agent perceives [last] in its place. */
+/** The [rule] holds a percept back until [dueMs]; while it does, the agent perceives [last]. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * The memory of a filter's rates: the percept last let through, for each rule and each kind of percept. Percepts that differ only in
- * numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
+ * The memory of a filter's rates: the last percept that was let through, for each rule and each kind of percept. Percepts that differ only
+ * in numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
  */
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
@@ -25,7 +25,7 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val memory = SensorMemory<LetThrough<P>>()
 
     /**
-     * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive one first; empty if the percept is let through or
+     * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive hold first; empty if the percept is let through or
      * dropped for good.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {

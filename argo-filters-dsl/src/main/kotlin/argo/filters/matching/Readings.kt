@@ -30,24 +30,23 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
             this.ms = ms
         }
 
-        /** Returns true if a sensor can show [number] at [nowMs] after this reading, with a change of at most [rate] a second. */
+        /** Returns true if a sensor can show [number] at [nowMs] after this reading, if it changes by at most [rate] a second. */
         fun canBecome(number: Double, nowMs: Long, rate: Double) = abs(number - this.number) * MS_PER_SECOND <= rate * (nowMs - ms)
     }
 
     /**
-     * Takes the newest [percept] at [nowMs], and returns the one that stands for it.
-     *
-     * @param number the number in [percept], which is finite
-     * @param unit the value of one unit of the number's last digit
+     * Takes the newest [percept] at [nowMs], and returns the one that stands for it. [number], which is finite, is written in [text], from
+     * [from] to [to].
      */
-    fun take(percept: P, number: Double, unit: Double, nowMs: Long): P {
-        doubt = if (isTooFast(number, nowMs)) Doubt.TOO_FAST else if (isOutlier(number, unit)) Doubt.OUTLIER else null
+    fun take(percept: P, text: String, from: Int, to: Int, number: Double, nowMs: Long): P {
+        doubt = when {
+            isTooFast(number, nowMs) -> Doubt.TOO_FAST
+            isFarOff(number) && exceeds(number, DecimalReader.unit(text, from, to)) -> Doubt.OUTLIER
+            else -> null
+        }
         if (doubt == null) accept(if (rule.annotates) annotated(percept) else percept, number, nowMs)
         return percepts[credible?.median() ?: 0]
     }
-
-    /** Returns the value of the last digit of the number in [text], if it counts. */
-    fun unit(text: String, from: Int, to: Int): Double = if (rule.outliers == null) 0.0 else DecimalReader.unit(text, from, to)
 
     private fun isTooFast(number: Double, nowMs: Long): Boolean {
         val rate = rule.maxRate ?: return false
@@ -57,16 +56,17 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
         return doubts < CONFIRMING
     }
 
-    private fun isOutlier(number: Double, unit: Double): Boolean {
+    /** Adds [number] to those judged, and returns true if it is too many deviations from their middle. */
+    private fun isFarOff(number: Double): Boolean {
         val window = judged ?: return false
         window.add(number)
-        return window.count > 2 && abs(number - window.middle()) > limit(window, unit)
+        return window.count > 2 && exceeds(number, OF_NORMAL_NOISE * window.medianDistance())
     }
 
-    /** Returns the distance from the middle of [window] beyond which a number is an outlier. */
-    private fun limit(window: SortedWindow, unit: Double): Double {
-        val deviations = rule.outliers?.deviations ?: Double.POSITIVE_INFINITY
-        return deviations * maxOf(OF_NORMAL_NOISE * window.medianDistance(), unit)
+    /** Returns true if [number] is further from the middle of those judged than the greatest number of deviations of this size. */
+    private fun exceeds(number: Double, deviation: Double): Boolean {
+        val outliers = rule.outliers ?: return false
+        return judged?.let { abs(number - it.middle()) > outliers.deviations * deviation } == true
     }
 
     private fun accept(percept: P, number: Double, nowMs: Long) {
@@ -99,7 +99,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
     private companion object {
         const val MS_PER_SECOND = 1_000
 
-        /** So many percepts in a row confirm each other if each can follow the one before. */
+        /** This number of percepts in a row confirm each other if each can follow the one before. */
         const val CONFIRMING = 3
 
         /** The standard deviation of normal noise, in median absolute deviations. */

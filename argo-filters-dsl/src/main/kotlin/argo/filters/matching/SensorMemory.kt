@@ -1,7 +1,7 @@
 package argo.filters.matching
 
 /**
- * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition, and tells sensors apart in its way.
+ * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition, which tells sensors apart in its own way.
  *
  * If a board has more sensors than [CAPACITY], the memory forgets those that came longest ago. Percepts longer than [MAX_LENGTH] characters
  * have no place in it ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
@@ -11,6 +11,8 @@ internal class SensorMemory<V : Any> {
     private val values = object : LinkedHashMap<SensorKey, V>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
         override fun removeEldestEntry(eldest: Map.Entry<SensorKey, V>) = size > CAPACITY
     }
+
+    val isEmpty: Boolean get() = values.isEmpty()
 
     /** Returns the value of the sensor that [owner] knows by [name]; null: there is none. */
     operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]

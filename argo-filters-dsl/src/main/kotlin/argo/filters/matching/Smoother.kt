@@ -3,7 +3,6 @@ package argo.filters.matching
 import argo.filters.DecimalReader
 import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
-import java.util.BitSet
 
 /**
  * Applies the smoothing rules of [matcher], and remembers the [Readings] of each sensor. Allocates nothing for a known sensor, unless a
@@ -14,28 +13,31 @@ import java.util.BitSet
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** By [rule], for this [reason], the percept [standing] would stand for another one. */
+    /** By [rule], for this [reason], the percept [standing] would stand for another percept. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Sensor<P>>()
     private val places = ArrayList<Sensor<P>?>() // the sensors that stood last at each place of a picture
 
+    private var picture = Picture<P>()
+    private var spare = Picture<P>()
     private var isDoubted = false // true if the percept that was taken last is not credible
 
     /**
-     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. Percepts among [old] that were in
-     * the picture [before] are not taken again.
+     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. The result is filled again by the
+     * next call but one. Percepts among [old] that were in the picture before are not taken again.
      */
-    fun picture(received: List<P>, nowMs: Long, before: Picture<P>, old: Set<P>): Picture<P> {
+    fun picture(received: List<P>, nowMs: Long, old: Set<P>): Picture<P> {
+        val before = picture
         val earlier = if (old.isEmpty()) emptyMap() else before.placesOf(old)
-        val standing = ArrayList<P>(received.size)
-        val doubted = BitSet()
-        for (percept in received) {
-            val place = earlier[percept]
-            standing += if (place != null) before.standing[place] else stands(percept, nowMs, standing.size)
-            doubted[standing.lastIndex] = if (place != null) before.isDoubted(place) else isDoubted
+        picture = spare.also { it.begin(received) }
+        spare = before
+        for (place in received.indices) {
+            val earlierPlace = earlier[received[place]]
+            val standing = if (earlierPlace == null) stands(received[place], nowMs, place) else before.standing(earlierPlace)
+            picture.stand(standing, if (earlierPlace == null) isDoubted else before.isDoubted(earlierPlace))
         }
-        return Picture(received, standing, doubted)
+        return picture
     }
 
     /** Takes a [percept] that has come at [nowMs] at this [place] of a picture, and returns the percept that stands for it. */
@@ -49,15 +51,18 @@ internal class Smoother<P : Any>(
         }
     }
 
-    /** Takes the [percept] if its text shows that it is of this sensor, which saves looking for its rule and its sensor; else null. */
+    /**
+     * Takes the [percept] if its text shows that it is of this sensor, which saves the search for its rule and its sensor; else returns
+     * null.
+     */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
         val number = if (to > from && SensorMemory.isRoomFor(text.length)) DecimalReader.plain(text, from, to) else Double.NaN
-        return if (number.isNaN() || memory[key] == null) null else take(percept, text, from, to, number, nowMs)
+        return if (number.isNaN() || memory[key] !== this) null else take(percept, text, from, to, number, nowMs)
     }
 
     private fun Sensor<P>.take(percept: P, text: String, from: Int, to: Int, number: Double, nowMs: Long): P =
-        readings.take(percept, number, readings.unit(text, from, to), nowMs).also { isDoubted = readings.doubt != null }
+        readings.take(percept, text, from, to, number, nowMs).also { isDoubted = readings.doubt != null }
 
     private fun sit(place: Int, sensor: Sensor<P>) {
         while (places.size <= place) places += null
@@ -69,14 +74,17 @@ internal class Smoother<P : Any>(
         val text = textOf(percept)
         return read(text, null) { rule, known, from, to, number ->
             val readings = known?.readings?.copy() ?: Readings(checkNotNull(rule.smoothing), annotated)
-            Replacement(rule, readings.take(percept, number, readings.unit(text, from, to), nowMs), readings.reason(number))
+            Replacement(rule, readings.take(percept, text, from, to, number, nowMs), readings.reason(number))
         }
     }
 
     private fun newSensor(rule: CompiledRule, text: String, from: Int, to: Int, key: SensorKey) =
         Sensor(Readings(checkNotNull(rule.smoothing), annotated), text.substring(0, from), text.substring(to), key)
 
-    /** Returns what [found] makes of the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule does. */
+    /**
+     * Returns what [found] returns for the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule smooths
+     * it.
+     */
     private inline fun <T> read(
         text: String, none: T, found: (rule: CompiledRule, known: Sensor<P>?, from: Int, to: Int, number: Double) -> T,
     ): T {
@@ -105,6 +113,6 @@ private class Sensor<P : Any>(val readings: Readings<P>, private val before: Str
     /** The index at which the number begins. */
     val from: Int get() = before.length
 
-    /** Returns the end of what may be the number in [text]; 0 if the rest of [text] is another one. */
+    /** Returns the end of the text that may be the number in [text]; 0 if the rest of [text] belongs to another sensor. */
     fun numberEnd(text: String): Int = if (text.startsWith(before) && text.endsWith(behind)) text.length - behind.length else 0
 }

@@ -16,28 +16,33 @@ internal class SortedWindow(private val size: Int) {
     fun add(number: Double): Int {
         val place = next
         next = if (place + 1 == size) 0 else place + 1
-        if (count == size) remove(place) else count++
+        val oldest = if (count == size) positionOf(place) else count++
         numbers[place] = number
-        insert(place, number)
+        insert(place, number, oldest)
         return place
     }
 
-    private fun remove(place: Int) {
+    private fun positionOf(place: Int): Int {
         var i = 0
         while (order[i] != place) i++
-        System.arraycopy(order, i + 1, order, i, count - i - 1)
+        return i
     }
 
-    private fun insert(place: Int, number: Double) {
-        var i = count - 1
+    /** Moves the gap in [order] at [gap] to where [number] belongs, behind its equals, and fills it with [place]. */
+    private fun insert(place: Int, number: Double, gap: Int) {
+        var i = gap
         while (i > 0 && numbers[order[i - 1]] > number) {
             order[i] = order[i - 1]
             i--
         }
+        while (i < count - 1 && numbers[order[i + 1]] <= number) {
+            order[i] = order[i + 1]
+            i++
+        }
         order[i] = place
     }
 
-    /** Returns the place of the number in the middle, of two the newer one. */
+    /** Returns the place of the middle number; of two, the newer one. */
     fun median(): Int {
         val upper = order[count / 2]
         if (count % 2 == 1) return upper
@@ -50,10 +55,10 @@ internal class SortedWindow(private val size: Int) {
     /** Returns the number at [place]. */
     operator fun get(place: Int): Double = numbers[place]
 
-    /** Returns the number in the middle, of two the greater one. */
+    /** Returns the middle number; of two, the greater one. */
     fun middle(): Double = numbers[order[count / 2]]
 
-    /** Returns the median of the distances to [middle], of two the greater one, by a search outwards from there. */
+    /** Returns the median of the distances to [middle] by a search outwards from there; of two, the greater one. */
     fun medianDistance(): Double {
         var low = count / 2
         var high = low

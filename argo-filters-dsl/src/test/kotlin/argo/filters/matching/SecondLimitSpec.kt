@@ -77,6 +77,13 @@ class SecondLimitSpec : FreeSpec({
         session.perceive(listOf("dist(1,43)", "dist(2)"), 150).shouldBeEmpty()
     }
 
+    "a message without the sensor ends it" {
+        val session = session(near)
+        session.perceive(listOf("dist(f,39)", "dist(b,39)"), 0)
+        session.perceive(listOf("dist(b,43)"), 50) shouldContainExactly listOf("dist(b,43)")
+        session.perceive(listOf("dist(f,43)", "dist(b,43)"), 100) shouldContainExactly listOf("dist(b,43)")
+    }
+
     "the same percepts twice are decided over as once" {
         checkAll(100, Arb.list(Arb.int(30..55), 1..30)) { numbers ->
             kept(near, numbers.flatMap { listOf(it, it) }).filterIndexed { at, _ -> at % 2 == 1 } shouldBe kept(near, numbers)
@@ -89,6 +96,21 @@ class SecondLimitSpec : FreeSpec({
             session.perceive(listOf("dist(f,$cm)"), at * 50L).size to session.critical.size
         }
         met shouldBe listOf(0 to 0, 1 to 1, 1 to 1, 0 to 0, 0 to 0)
+    }
+
+    "a critical rule that the next filter has too stays met until it, and no other rule does" {
+        fun filter(name: String) = dropFilter(name) {
+            critical("dist") { argument(1) lt 15 until 20; reflex("stop") }
+            drop("temp") { argument(0) gt 30 until 20 }
+        }
+        val session = session(filter("f"))
+        session.perceive(listOf("dist(f,14)", "temp(31)"), 0) shouldContainExactly listOf("dist(f,14)")
+        session.switchTo(filter("g"))
+        session.perceive(listOf("dist(f,19)", "temp(25)"), 50) shouldContainExactly listOf("dist(f,19)", "temp(25)")
+        session.critical.size shouldBe 1
+        session.switchTo(dropFilter("h") { critical("dist") { argument(1) lt 15 until 25; reflex("stop") } })
+        session.perceive(listOf("dist(f,19)"), 100)
+        session.critical.size shouldBe 0
     }
 
     "with a rate, it decides which percepts are held back" {

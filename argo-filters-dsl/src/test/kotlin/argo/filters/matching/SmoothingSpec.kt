@@ -265,6 +265,16 @@ class SmoothingSpec : FreeSpec({
         session.perceive(listOf(long), 10) shouldContainExactly listOf(long)
     }
 
+    "a sensor that was forgotten and came again has one history, wherever in a message it comes" {
+        val session = session(median5)
+        repeat(5) { session.perceive(listOf("dist(s0,1)"), it.toLong()) }
+        session.perceive(listOf("light(1)") + (1..5_000).map { "dist(s$it,1)" }, 5)
+        repeat(2) { session.perceive(listOf("light(1)", "dist(s0,9)"), 6L + it) }
+        session.perceive(listOf("dist(s0,9)"), 8) shouldContainExactly listOf("dist(s0,9)")
+        repeat(3) { session.perceive(listOf("dist(s0,5)"), 9L + it) }
+        session.perceive(listOf("light(1)", "dist(s0,9)"), 12) shouldContainExactly listOf("light(1)", "dist(s0,5)")
+    }
+
     "it explains itself, and changes nothing by that" {
         val filter = dropFilter("f") { smooth("dist") { argument(1) maxRate 5_000; argument(1).outliers(3); argument(1) median 3 } }
         val session = session(filter)
@@ -285,10 +295,11 @@ class SmoothingSpec : FreeSpec({
     }
 
     "a sensor that is known costs no memory" {
-        val smoother = Smoother(median5.matcher(), { it: String -> it }, { it })
-        val percepts = Array(100) { if (it % 2 == 0) "dist(f,${it * 7 % 11})" else "dist(b,${it * 5 % 13})" }
+        val filter = dropFilter("f") { smooth("dist") { argument(1).outliers(3); argument(1) median 5 } }
+        val smoother = Smoother(filter.matcher(), { it: String -> it }, { it })
+        val messages = List(25) { at -> List(4) { "dist(s$it,${(at * 4 + it) * 7 % 11}${if (at % 9 == 0) 0 else ""})" } }
         fun run() {
-            percepts.forEachIndexed { at, percept -> smoother.stands(percept, 0, at % 3) }
+            messages.forEach { smoother.picture(it, 0, emptySet()) }
         }
         repeat(200) { run() } // until it is compiled
         val threads = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean

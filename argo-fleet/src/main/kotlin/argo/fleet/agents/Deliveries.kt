@@ -18,7 +18,7 @@ import java.util.logging.Logger
 internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
     val end: CompletableFuture<Void> = end.toCompletableFuture()
 
-    /** Tells the log if the message does not arrive, since nobody waits for it. */
+    /** If the message does not arrive, tells the log, since nobody waits for it. */
     fun tellFailure() {
         end.whenComplete { _, failed ->
             if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
@@ -53,7 +53,7 @@ internal object Deliveries {
 }
 
 /**
- * Has an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
+ * Makes an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
  * intention is suspended. Belongs to one agent.
  *
  * @param questions the agent's questions to other computers, including those of the action

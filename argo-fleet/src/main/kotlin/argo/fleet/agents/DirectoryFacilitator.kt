@@ -8,7 +8,7 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Has the part of Jason's agent `df` for the whole fleet: agents register services here, and search for them. Each computer knows the
+ * Plays the part of Jason's agent `df` for the whole fleet: agents register services here, and search for them. Each computer knows the
  * services of all computers, and tells its own subscribers.
  *
  * Safe for use by several threads.

@@ -11,7 +11,10 @@ import jason.stdlib.send
 
 /** Jason's internal actions that send messages. In a fleet these wait until the message has arrived on the other computer, or fail. */
 internal object FleetActions {
-    /** Has the program of [agent], with its [questions], use them. Jason looks an action up for each agent, by the name of its class. */
+    /**
+     * Makes the program of [agent], with its [questions], use these actions. Jason looks an action up for each agent, by the name of its
+     * class.
+     */
     fun install(agent: Agent, questions: Questions) {
         agent.setIA(send::class.java.name, FleetSend(questions))
         agent.setIA(broadcast::class.java.name, FleetBroadcast(questions))

@@ -58,7 +58,10 @@ internal class FleetAgArch(
     @Volatile
     private var percepts: FleetPercepts? = null
 
-    /** Jason calls this after it has read the program, and before it makes other architectures, of which one may record the agent. */
+    /**
+     * Jason calls this after it has read the program, and before it makes the agent's other architectures, of which one may record the
+     * agent.
+     */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return

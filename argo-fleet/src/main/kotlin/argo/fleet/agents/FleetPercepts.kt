@@ -16,7 +16,7 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     private var environment: Collection<Literal> = emptyList()
 
     /**
-     * Returns all percepts of the agent: those of its environment and those about the fleet; null: nothing has changed.
+     * Returns all percepts of the agent, from its environment and about the fleet; null: nothing has changed.
      *
      * @param news the percepts of the environment now; null: no news
      */
@@ -47,7 +47,7 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
         /** The value of the option, for people. */
         const val USAGE = "computers and agents, or one of them, as \"computers,agents\""
 
-        /** Returns the percepts for the option's value, [option]; null: none. For a wrong value, tells [refuse] why. */
+        /** Returns the percepts for the option's value [option]; null: it asks for none. For a wrong value, tells [refuse] why. */
         fun of(option: String?, refuse: (String) -> Unit): FleetPercepts? {
             val words = option?.split(',')?.map { it.trim().trim('"') } ?: return null
             val kinds = words.map { word -> Kind.entries.find { it.name.equals(word, ignoreCase = true) } }

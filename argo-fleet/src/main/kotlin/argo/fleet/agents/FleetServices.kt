@@ -29,7 +29,7 @@ internal class FleetServices(
     /** The agent of the project that the calling thread creates. */
     private val making = ThreadLocal<Making>()
 
-    /** Has [create] create an agent of the project under its own [name]. [architecture] makes the agent's infrastructure. */
+    /** Lets [create] create an agent of the project under its own [name]. [architecture] makes the agent's infrastructure. */
     fun createOwn(name: String, architecture: () -> LocalAgArch, create: FleetServices.() -> Unit) {
         making.set(Making(name, architecture))
         try {

@@ -9,9 +9,10 @@ import jason.asSyntax.Literal
 import java.util.logging.Logger
 
 /**
- * Gives the agent of [ts], which has read its program and has not begun, [program] as its mind in place of what its program begins with.
+ * Gives the agent of [ts], which has read its program and has not begun, the mind [program]. It replaces the beliefs and goals of the
+ * agent's program.
  *
- * @throws IllegalArgumentException if it cannot be read; the agent is unchanged
+ * @throws IllegalArgumentException if [program] cannot be read; the agent is then unchanged
  */
 internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
     val mind = Mind.ofProgram(program)

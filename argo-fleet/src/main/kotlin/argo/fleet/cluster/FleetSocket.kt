@@ -17,7 +17,7 @@ import javax.net.ssl.SSLSocket
 /** The other end is a computer that this one must not connect with; [message] tells the user why. */
 private class Refusal(override val message: String) : IOException(message)
 
-/** Has the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
+/** Keeps the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {
@@ -29,7 +29,7 @@ internal class Entrance(
     /** The number of the fleet's computers; 0: not known. */
     val computers: Int get() = hosts.size
 
-    /** @throws IOException if this computer must not connect with the one that shows [other] and [certificate] */
+    /** @throws IOException if this computer must not connect with the computer that shows [other] and [certificate] */
     fun check(other: Greeting, certificate: X509Certificate?) {
         val refusal = greeting.refusalOf(other)
             ?: "${other.name} is none of ${hosts.keys.joinToString()}".takeIf { hosts.isNotEmpty() && other.name !in hosts }

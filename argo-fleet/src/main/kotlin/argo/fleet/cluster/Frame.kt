@@ -11,7 +11,8 @@ internal sealed interface Frame {
      * A message, or a part of a long one.
      *
      * @property number the piece's number in the session, across all messages
-     * @property oldest the oldest piece that still waits for an acknowledgement; all earlier ones have one, or were reported as failed
+     * @property oldest the oldest piece that still waits for an acknowledgement; all earlier pieces were acknowledged, or reported as
+     * failed
      * @property isLast whether the message ends with this piece
      */
     class Piece(val number: Long, val oldest: Long, val isLast: Boolean, val content: ByteArray) : Frame {
@@ -20,10 +21,10 @@ internal sealed interface Frame {
     }
 
     /**
-     * @property taken the number before which the listener has taken all pieces, or failed ones were left out
-     * @property arrived the number of the next awaited piece, before which all have arrived
+     * @property taken the number before which all pieces are done: the listener has taken them, or they have failed and were left out
+     * @property arrived the number of the next awaited piece; all pieces before it have arrived
      * @property isRepeatWanted whether a later piece came first
-     * @property refusals why messages among those taken were refused, as [Refused.line], by their last pieces
+     * @property refusals the reasons why messages among those pieces were refused, as [Refused.line], by the messages' last pieces
      */
     class Acknowledgement(
         val taken: Long,

@@ -10,7 +10,7 @@ import java.util.HexFormat
  * reads no byte from strangers, or from computers of another fleet, version or list of hosts.
  *
  * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if
- * the addresses did, two computers could have one name
+ * the addresses differed, two computers could have one name
  */
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"

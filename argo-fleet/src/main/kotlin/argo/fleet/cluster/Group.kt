@@ -10,8 +10,8 @@ internal interface Group : AutoCloseable {
     fun join(listener: GroupListener)
 
     /**
-     * Sends [frame] if the network takes it; never waits. With one caller at a time, frames overtake each other only where a connection
-     * ends.
+     * Sends [frame] if the network takes it; never waits. If there is only one caller at a time, frames overtake each other only where a
+     * connection ends.
      */
     fun transmit(to: Computer, frame: ByteArray)
 }

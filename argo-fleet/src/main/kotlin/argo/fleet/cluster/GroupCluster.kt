@@ -4,8 +4,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 
 /**
- * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. Callers of [send], the
- * group's threads and the loop hold the lock only for moments, not during calls of the listener.
+ * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. The lock is held only
+ * for moments by callers of [send], by the group's threads and by the loop, and never during calls of the listener.
  *
  * @param hosts the computers of the fleet; empty: not known
  */
@@ -22,7 +22,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private val peers = LinkedHashMap<Computer, Peer>()
     private var members = listOf<Computer>()
 
-    /** Higher than the number of any piece sent before, so that no receiver takes pieces of a new session for repeated ones. */
+    /** Higher than the number of any piece sent before, so no receiver takes pieces of a new session for repeated pieces. */
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null
@@ -147,7 +147,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
     }
 
-    /** Returns true if [member] has this computer's name and is older: this program's last run, or another computer. */
+    /** Returns true if [member] has this computer's name and is older: it is this program's last run, or another computer. */
     private fun isOlderRival(member: Computer) =
         member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
 

@@ -55,7 +55,7 @@ internal class Incoming {
         refusal?.let { refusals[number] = it.take(MAX_REASON) }
     }
 
-    /** Parts of a message that is not complete count as taken, so that the next ones come. */
+    /** Parts of an unfinished message count as taken, so the sender sends the next parts. */
     fun acknowledgement(isRepeatWanted: Boolean = false) =
         Frame.Acknowledgement(if (messages == 0) arrived else taken, arrived, isRepeatWanted, refusals.toMap())
 

@@ -30,7 +30,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     val channel: JChannel
     private lateinit var listener: GroupListener
 
-    /** The members of the last view, by address, and below the reverse. */
+    /** The members of the last view by their addresses; below, the addresses by the members. */
     @Volatile
     private var members = mapOf<Address, Computer>()
 

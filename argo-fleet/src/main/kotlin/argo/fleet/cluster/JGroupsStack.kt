@@ -26,7 +26,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
     VERIFY_SUSPECT2().apply { setTimeout(VERIFYING) },
-    // these three carry the views to all, but not this project's messages: see GroupCluster
+    // these three carry the views to all computers, but not this project's messages: see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),
     STABLE(),

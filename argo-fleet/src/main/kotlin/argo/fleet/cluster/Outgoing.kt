@@ -6,14 +6,14 @@ import java.util.concurrent.CompletableFuture
  * The messages to one other computer, from [Cluster.send] to their ends. Pieces go out in order, and at most a window of pieces is under
  * way. Lost pieces are sent again. Callers hold a lock, and pass the time in nanoseconds.
  *
- * @param first the number of the first piece; the receiver leaves out earlier ones
+ * @param first the number of the first piece; the receiver leaves out all earlier pieces
  */
 internal class Outgoing(private val to: String, first: Long) {
     private class Waiting(val frame: (oldest: Long) -> Frame.Piece, val size: Int, val number: Long, val done: CompletableFuture<Void>?) {
         var sentAt = 0L
     }
 
-    /** The piece that was sent again to learn what the receiver lacks. */
+    /** The piece that was last sent again to learn which pieces the receiver lacks. */
     private class Asked(val number: Long, val at: Long)
 
     /** A [Cluster.send] whose end is known. */
@@ -63,7 +63,7 @@ internal class Outgoing(private val to: String, first: Long) {
         }
     }
 
-    /** Returns the oldest piece if it has been under way for long. The answer to its repeat tells what the receiver lacks. */
+    /** Returns the oldest piece if it has been under way for long. The answer to the repeat shows which pieces the receiver lacks. */
     fun overdue(now: Long): Frame.Piece? {
         val first = waiting.firstOrNull()?.takeIf { sent > 0 && now - it.sentAt >= patience } ?: return null
         asked = Asked(first.number, now)
@@ -85,7 +85,7 @@ internal class Outgoing(private val to: String, first: Long) {
         return ends
     }
 
-    /** Whether the awaited piece was lost: the receiver has got a later one, or an older one that was sent again after it. */
+    /** Whether the awaited piece was lost: the receiver has got a later piece, or an older one that was sent again after it. */
     private fun isLost(news: Frame.Acknowledgement, now: Long): Boolean {
         val place = news.arrived - oldest
         val awaited = if (place in 0..<sent) waiting[place.toInt()] else return false
@@ -144,7 +144,7 @@ internal class Outgoing(private val to: String, first: Long) {
         private const val FIRST_PATIENCE_NANOS = 200_000_000L
         private const val MAX_PATIENCE_NANOS = 1_000_000_000L
 
-        /** Each piece behind a lost one asks for a repeat. Within this time, only the first request counts. */
+        /** Each piece behind a lost one asks for a repeat. Within this time, only the first such request counts. */
         private const val REPEAT_NANOS = 100_000_000L
     }
 }

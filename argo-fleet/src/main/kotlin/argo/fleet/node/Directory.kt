@@ -21,7 +21,7 @@ internal sealed interface Place {
     /** On another computer, which is in touch. */
     data class There(val computer: String) : Place
 
-    /** On one of [computers]. Each of these is off, has not told its agents yet, or does not run this agent. */
+    /** On one of [computers]. Each of these computers is off, has not told its agents yet, or does not run this agent. */
     data class Off(val computers: List<String>) : Place
 
     data object Unknown : Place

@@ -188,7 +188,7 @@ internal class Fleet(
                 // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may not know that this one lacks its roster
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // [computer] may not know that this computer lacks its roster
             }
             leases.changed(view)
         }

@@ -89,7 +89,7 @@ internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitSta
  * The sender wants to run [agent], which outlives its computer, or to go on running it. Each claim has a greater [number].
  *
  * @property mindTerm the [MindNews.term] of the agent's mind that the sender knows; 0: the sender knows none
- * @property mindNumber the [MindNews.number] of that mind
+ * @property mindNumber the [MindNews.number] of the same mind
  */
 @Serializable
 @SerialName("claim")

@@ -1,20 +1,20 @@
 package argo.fleet.node
 
 /**
- * The right to run one agent that outlives its computer, as one computer sees it: the promises that it has given, and those that it has
- * got. The computer that runs the agent claims the right from all again and again. A computer that grants a claim promises to grant no
- * other for [DURATION_NS]. The claimant counts that time from its claim on, so its right ends before the promise does. It may run the agent
- * while more than half of the computers have granted its claims. Two majorities share a computer, so two computers never run the agent at a
- * time.
+ * The right to run one agent that outlives its computer, as one computer sees it: the promises that this computer has given, and those that
+ * it has got. The computer that runs the agent claims the right from all computers again and again. A computer that grants a claim promises
+ * to grant no other computer's claim for [DURATION_NS]. The claimant counts that time from the moment of its claim, so its right ends
+ * before the promise does. It may run the agent while more than half of the computers have granted its claims. Two majorities share a
+ * computer, so two computers never run the agent at a time.
  *
  * Not safe for use by several threads, except for [mayRun] and [ownTerm].
  *
  * @param computers the number of computers of the fleet
- * @param startNs the time at which this program began; it grants nothing for one duration, since its last run may have promised something
+ * @param startNs the time at which this program began; it grants nothing for one duration, since its last run may have given a promise
  * @param claims a random number from which claims are counted, so that no answer to the program's last run counts
  * @param nanos a clock in ns that never goes back; it may stand still while the computer is suspended
- * @param wallMs a clock in ms that also runs while the computer is suspended; a right ends by this clock, too, so setting it may end a
- *   right early
+ * @param wallMs a clock in ms that also runs while the computer is suspended; a right ends by this clock, too, so a change of the clock may
+ * end a right early
  */
 internal class Lease(
     private val computers: Int,
@@ -30,16 +30,16 @@ internal class Lease(
     private val asked = HashMap<Long, Moment>() // the time of each claim, by the claim's number
     private val granted = HashMap<String, Moment>() // the time of the newest granted claim, by the granting computer
 
-    /** The greatest term that this computer knows. Each new reign over the agent has a greater term than all before. */
+    /** The greatest term that this computer knows. Each new reign over the agent has a greater term than all earlier reigns. */
     var term = 0L
         private set
 
-    /** The term of this computer's reign; 0: this computer claims none. */
+    /** The term of this computer's reign; 0: this computer claims no reign. */
     @Volatile
     var ownTerm = 0L
         private set
 
-    /** The time of the newest claim that more than half of the computers have granted; null: there is none. */
+    /** The time of the newest claim that more than half of the computers have granted; null: there is no such claim. */
     @Volatile
     private var right: Moment? = null
 
@@ -49,7 +49,7 @@ internal class Lease(
         return nanos() - since.ns < RIGHT_NS && wallMs() - since.wallMs < RIGHT_NS / NANOS_PER_MS
     }
 
-    /** Makes the next claim, to be sent to all computers in touch, this one among them. */
+    /** Makes the next claim, which is for all computers in touch, including this one. */
     fun claim(agent: String): Claim {
         if (ownTerm == 0L) beginTerm()
         val now = nanos()
@@ -59,7 +59,7 @@ internal class Lease(
         return Claim(agent, claims, ownTerm)
     }
 
-    /** What was granted in an earlier term does not count, since another computer may begin the same term meanwhile. */
+    /** Grants of an earlier term do not count, since another computer may begin the same term meanwhile. */
     private fun beginTerm() {
         ownTerm = term + 1
         granted.clear()
@@ -101,7 +101,7 @@ internal class Lease(
         /** The time for which a computer grants the right, and for which an agent may be missing. No clock may jump by more. */
         const val DURATION_NS = 1_500_000_000L
 
-        /** The time for which the claimant uses the right: shorter, since the clocks of two computers may differ a little. */
+        /** The time for which the claimant uses the right: less than the promise, since the clocks of two computers may differ a little. */
         private const val RIGHT_NS = 1_400_000_000L
         private const val NANOS_PER_MS = 1_000_000L
     }

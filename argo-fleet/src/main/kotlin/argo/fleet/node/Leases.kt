@@ -85,10 +85,11 @@ internal class Leases(
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So of the computers that grant the
-     * agent to its next computer, at least one has the mind. Any thread.
+     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So at least one of the computers that
+     * grant the agent to its next computer has the mind. Any thread.
      *
-     * @return completed when all of these have the mind; fails if one has not got it, which the log tells once until it has
+     * @return completed when all of these computers have the mind; fails if one has not got it, which the log reports once until that
+     * computer has it
      */
     fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }

@@ -51,7 +51,7 @@ class History(events: List<Event>) {
         }
     }
 
-    /** An agent acts in one reign only at a time if none acts after one of a greater term has. */
+    /** An agent acts in only one reign at a time if it never acts in a reign after it has acted in one of a greater term. */
     private fun twice() = bySession.values.flatten().filter { it.kind == Kind.ACTED }.groupBy { it.about[0] }.flatMap { (agent, acts) ->
         val sorted = acts.sortedBy { it.nanos }
         val newest = sorted.runningReduce { before, act -> if (act.term > before.term) act else before }

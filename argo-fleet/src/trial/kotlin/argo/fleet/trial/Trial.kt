@@ -33,7 +33,7 @@ class Trial(
         private val read = mutableListOf<Event>()
         private var part = ""
 
-        /** The process's notes until now. The last line of a killed process may be cut. */
+        /** The process's notes up to now. The last line of a killed process may be cut. */
         fun events(): List<Event> {
             if (!notes.toFile().exists()) return read
             val text = part + reader.readText()
@@ -73,7 +73,7 @@ class Trial(
         if (isSending) node.tell("send")
     }
 
-    /** Has all computers send from now on, including those that start later. */
+    /** Makes all computers send from now on, including those that start later. */
     fun send() {
         isSending = true
         nodes.values.forEach { it.tell("send") }
@@ -94,7 +94,7 @@ class Trial(
      * Waits until all other computers see that [name] has gone.
      *
      * @param since the steady clock's time at which [name] went
-     * @return the milliseconds until the first and until the last of them saw it
+     * @return the milliseconds until the first computer saw it, and until the last one did
      */
     fun noticed(name: String, since: Long): LongRange {
         val others = nodes.values.filter { it.name != name }

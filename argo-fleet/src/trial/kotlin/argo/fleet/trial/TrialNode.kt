@@ -43,7 +43,7 @@ fun main(args: Array<String>) {
 
 private fun address(text: String) = InetSocketAddress(text.substringBeforeLast(':'), text.substringAfterLast(':').toInt())
 
-/** Hands each line to the system before the next step, so that a killed program leaves all its notes. */
+/** Passes each line to the system before the next step, so a killed program leaves all its notes. */
 private class NoteFile(file: File) {
     private val out = FileOutputStream(file, true)
 

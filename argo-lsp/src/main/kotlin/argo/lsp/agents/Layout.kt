@@ -34,7 +34,7 @@ private class Layout(private val program: Program) {
     private var line = 0
     private var nesting = 0
 
-    /** True behind a `<-` that begins a line. The statements then stand below each other. */
+    /** True behind a `<-` that begins a line. The statements then stand one below the other. */
     private var isBelowArrow = false
 
     init {
@@ -66,7 +66,7 @@ private class Layout(private val program: Program) {
         return changes.filter { text.substring(it.span.start, it.span.end) != it.text }
     }
 
-    /** Returns the line breaks between two tokens, without blanks before them, and the indentation of the [second][at] token. */
+    /** Returns the line breaks between two tokens, without blanks before the breaks, and the indentation of the [second][at] token. */
     private fun lineBreak(written: String, at: Int): String {
         val breaks = BREAK.findAll(written).joinToString("") { it.value }
         val token = tokens[at]

@@ -8,7 +8,7 @@ import argo.check.syntax.TokenKind
 /** An open call around a place. [argument] is the number of the argument at the place, from 0. */
 internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
 
-/** The parts of a program that differ in the words expected there. */
+/** The kinds of places in a program, by the words that are expected there. */
 internal enum class Region {
     /** Between components. */
     TOP,

@@ -47,7 +47,8 @@ internal object XmlFilterSchema {
     }
 
     /**
-     * Returns the values of a simple type. For a union these are the values of its first part; the other parts only spell them differently.
+     * Returns the values of a simple type. For a union these are the values of its first part; the other parts only spell the same values
+     * differently.
      */
     private fun values(type: String): List<String> {
         val simple = global("simpleType", type) ?: return emptyList()

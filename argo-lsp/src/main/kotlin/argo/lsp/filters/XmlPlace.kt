@@ -12,7 +12,7 @@ internal data class XmlPlace(val open: List<String>, val part: Part, val begin: 
         /** Text between tags. */
         data object Content : Part
 
-        /** The name of a tag; of an end tag if [isEnd]. */
+        /** The name of a tag; the name of an end tag if [isEnd]. */
         data class Name(val isEnd: Boolean) : Part
 
         data class Attribute(val element: String) : Part

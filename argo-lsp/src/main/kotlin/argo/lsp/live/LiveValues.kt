@@ -37,7 +37,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
         return term.functor() == functor && term.arguments().size == arity
     }
 
-    /** Returns the first state that the view would send to the agent's page. The view sends one to each new page at once. */
+    /** Returns the first state that the view would send to the agent's page. The view sends a state to each new page at once. */
     private fun state(port: Int, agent: String): JsonObject? {
         val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20")
         val request = HttpRequest.newBuilder(URI("http://127.0.0.1:$port/$path/events")).timeout(limit).build()
@@ -49,7 +49,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
         return get(answer)?.let { JsonParser.parseString(it.removePrefix(DATA)).asJsonObject }
     }
 
-    /** Returns null if no agent runs, or if another program is at its port. */
+    /** Returns null if no agent runs, or if another program has its port. */
     private fun get(answer: CompletableFuture<String?>): String? = try {
         answer.get(limit.toMillis(), TimeUnit.MILLISECONDS)
     } catch (refused: ExecutionException) {

@@ -12,11 +12,11 @@ import java.util.Optional
 import kotlin.io.path.extension
 
 /**
- * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses it. [tell] gets once,
- * in words, the files that are left out of a project.
+ * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses it. [tell] gets the
+ * files that are left out of a project, once and in words.
  */
 internal class Projects(private val texts: OpenTexts, private val tell: (String) -> Unit) {
-    /** The projects, by their folders. A file without a project file near it has its own folder as its project's. */
+    /** The projects, by their folders. A file without a project file near it has its own folder as project folder. */
     private val read = HashMap<Path, Project>()
     private val told = HashSet<String>()
 

@@ -10,12 +10,12 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One of Jason's internal actions as an infrastructure carries it out: a direct subclass of Jason's, which needs no arguments to be made.
- * A recording has the action's calls under Jason's name. The intention may wait for other computers, by [AwaitedOutside].
+ * One of Jason's internal actions, as an infrastructure carries it out: a direct subclass of Jason's class that can be made without
+ * arguments. A recording has the action's calls under Jason's name. The intention may wait for other computers, by [AwaitedOutside].
  */
 interface OfInfrastructure
 
-/** Has intentions wait for something outside of their agent, such as another computer's answer, for internal actions [OfInfrastructure]. */
+/** Lets internal actions [OfInfrastructure] wait for something outside of the agent, such as another computer's answer. */
 object AwaitedOutside {
     /** The error of a message to an agent that does not exist. Plans may also match Jason's own name for this error. */
     const val NO_AGENT = "no_agent"
@@ -23,10 +23,10 @@ object AwaitedOutside {
 
     /**
      * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action itself has
-     * suspended the intention, as for a question, only a failure ends the wait.
+     * suspended the intention, as a question does, only a failure ends the wait.
      *
      * @return a function that ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the
-     * first call counts. A recording of the agent contains that end
+     * first call counts. A recording of the agent contains the end of the wait
      */
     fun begin(ts: TransitionSystem): (JasonException?) -> Unit {
         val question = ts.c.pendingIntentions.entries.find { it.value === ts.c.selectedIntention }?.key
@@ -40,7 +40,7 @@ object AwaitedOutside {
         return { failed -> if (!hasEnded.getAndSet(true)) end(failed?.let { RecordedFailure(callFailure(it)) }, null) }
     }
 
-    /** Returns the exception that fails a plan with `error(…)`, whose text is [error], and with [message] for the user. */
+    /** Returns the exception that fails a plan with `error(…)` for the text [error], and with [message] for the user. */
     fun exceptionOf(error: String, message: String): JasonException {
         val failed = JasonException(message, if (error.isEmpty()) null else termOf(error))
         if (error == NO_AGENT) failed.addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom(NO_RECEIVER)))

@@ -48,7 +48,7 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
     override val cause = failure.message
 }
 
-/** An action whose outcome goes to [ended] instead of Jason's queue. */
+/** An action whose outcome goes to [ended] and not to Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
     /** Jason calls this when it has an outcome. The result null makes Jason ignore the outcome. */
     override fun getIntention() = null.also { ended(this) }

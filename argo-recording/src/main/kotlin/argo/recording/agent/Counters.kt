@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicInteger
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
-        .filter { it.isThere } // a version of Jason that lacks a counter only gives other numbers
+        .filter { it.isThere } // in a version of Jason that lacks a counter, only some numbers differ
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
     private val ofCalls = known.indexOf(Insides.callCounter)
@@ -44,7 +44,7 @@ internal object Counters {
 
     fun read(): List<Int> = all.map { it.get() }
 
-    /** Returns true if the counters stand at [values], which [read] returned. */
+    /** Returns true if the counters stand at the [values] that [read] returned. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
     /** Returns the lowest number in Jason's names of [plans]; null: Jason has named none of them. */
@@ -56,7 +56,7 @@ internal object Counters {
     }
 
     /**
-     * Sets the counters to [values], which [read] returned in another program. Older recordings of Jason 3.3.0 lack the counter of calls.
+     * Sets the counters to the [values] that [read] returned in another program. Older recordings of Jason 3.3.0 lack the counter of calls.
      */
     fun write(values: List<Int>) {
         val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }

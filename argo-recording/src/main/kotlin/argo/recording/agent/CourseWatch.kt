@@ -94,7 +94,7 @@ internal fun placeIn(plan: Plan): Place {
     return Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
 }
 
-/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative one is `file:robot.asl`. */
+/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative path is `file:robot.asl`. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
 internal fun mailOf(message: Message) =

@@ -9,7 +9,7 @@ internal enum class Nature {
 
     /**
      * The action's messages pass the [argo.boundary.Boundary], and in a fleet its intention waits until they have arrived. A replay carries
-     * the action out again, and has the intention wait as it was recorded.
+     * the action out again, and makes the intention wait as it waited in the recording.
      */
     SENDING,
 
@@ -72,7 +72,7 @@ internal object JasonCode {
 
     fun natureOf(type: Class<*>): Nature? = natureOf(typeOf(type).name)
 
-    /** Returns Jason's class in whose place [type] stands; [type] itself if it stands for none. */
+    /** Returns the class of Jason that [type] replaces; [type] itself if it replaces none. */
     fun typeOf(type: Class<*>): Class<*> = if (OfInfrastructure::class.java.isAssignableFrom(type)) type.superclass else type
 
     /** Returns true if a replay takes the recorded result of code of this [nature]. */

@@ -10,7 +10,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Owns an agent's timers, and the work that other threads leave for it. Carries both out in the agent's cycles. */
+/** Owns an agent's timers, and the work that other threads leave for it. Both run in the agent's cycles. */
 internal interface Keeper {
     /** Begins the agent's timer, which does [work] [delayNs] from now. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
@@ -77,7 +77,7 @@ internal class KeptTimers private constructor(below: ScheduledExecutorService) :
         return keeper.timer(work, unit.toNanos(delay)) { below.schedule(it, delay, unit) }
     }
 
-    override fun execute(command: Runnable) = below.execute(command) // without a delay it is no timer
+    override fun execute(command: Runnable) = below.execute(command) // an action without a delay is no timer
 
     companion object {
         fun install() = install(KeptTimers::class.java, Place.AGENT, ::KeptTimers)

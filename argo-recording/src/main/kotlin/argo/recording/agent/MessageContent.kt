@@ -17,10 +17,10 @@ object MessageContent {
     }
 
     /**
-     * Returns the content that [write] has written as [text]. No text makes a class of Java be loaded or an object be made.
+     * Returns the content that [write] has written as [text]. No text causes a class of Java to be loaded or an object to be made.
      *
      * @param agent the agent whose functions the text may name
-     * @throws IllegalArgumentException if [text] is no content, or [agent] lacks a function in it; the message says why
+     * @throws IllegalArgumentException if [text] is no content, or names a function that [agent] lacks; the message says why
      */
     fun read(text: String, agent: Agent): Any = contentOf(text, agent)
 }

@@ -91,8 +91,8 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 
     /**
-     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So only terms and intentions are allowed,
-     * and no more than the bytes can describe.
+     * Returns the reason to refuse an object; null: it is allowed. A stranger may have made the recording. So only terms and intentions are
+     * allowed, and no more than the bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"
@@ -112,7 +112,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
         is ActionReference -> code.action(one.type)
         is FunctionReference -> code.function(one.name)
         is ObjectTermImpl -> ObjectTermImpl(one.`object`)
-        is DefaultTerm -> one.apply { resetHashCodeCache() } // hashes of constants differ from program to program
+        is DefaultTerm -> one.apply { resetHashCodeCache() } // hashes of constants differ between programs
         else -> one
     }
 }
@@ -144,7 +144,7 @@ private fun isAllowed(type: Class<*>): Boolean = when {
     type.isArray -> isAllowed(type.componentType)
     type in OWN || type.name in ALLOWED_OF_JAVA -> true
     type.name.startsWith("jason.stdlib.fork$") -> true
-    CODE.any { it.isAssignableFrom(type) } -> false // code stands there only as a reference
+    CODE.any { it.isAssignableFrom(type) } -> false // code occurs there only as a reference
     else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
 

@@ -3,6 +3,7 @@ package argo.recording.agent
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSyntax.ArithExpr
+import jason.asSyntax.BinaryStructure
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.Atom
 import jason.asSyntax.InternalActionLiteral
@@ -357,13 +358,19 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             val type = then { PlanBody.BodyType.valueOf(word(Char::isLetter)) }
             val place = then(::place)
             val term = then { orNone(::next) }
-            if (place != null && term != null && term.srcInfo == null) term.srcInfo = place // the step's copies take their place from term
+            if (place != null && term != null) stand(term, place)
             val step = PlanBodyImpl(type, term, isTerm)
             step.srcInfo = place
             steps += step
         } while (peek() == ',')
         steps.zipWithNext { one, other -> one.bodyNext = other }
         return steps.first()
+    }
+
+    /** Jason's copies of a step take its place from the term, and those of a comparison or a sum from its operands. */
+    private fun stand(term: Term, place: SourceInfo) {
+        if (term.srcInfo == null) term.srcInfo = place
+        if (term is BinaryStructure || term is ArithExpr) term.terms.forEach { stand(it, place) }
     }
 
     private companion object {

@@ -20,7 +20,7 @@ internal fun triggerText(trigger: Trigger): String =
     if (trigger.type.name == SIGNAL) textOf(trigger)
     else "${trigger.operator}${trigger.type}${literalText(trigger.literal)}"
 
-/** Returns the text of the [content] of a message: a term, or a text that Jason reads when the agent takes the message. */
+/** Returns the text of a message's [content]: a term, or a text that Jason reads when the agent takes the message. */
 internal fun contentText(content: Any?): String = when (content) {
     is Term -> textOf(content)
     is String -> "$TEXT${TermWriter.quoted(content)})"
@@ -41,7 +41,7 @@ private const val SIGNAL = "signal"
  *
  * @param agent the agent whose functions the term may contain; null: only Jason's own functions
  * @throws UnrecordableTerm if [textOf] could not write the term
- * @throws IllegalArgumentException if [text] is no text of a term
+ * @throws IllegalArgumentException if [text] is not the text of a term
  */
 internal fun termOf(text: String, agent: Agent? = null): Term = try {
     TermReader(text, agent).term()

@@ -124,7 +124,7 @@ internal class TermWriter {
     private fun list(list: ListTerm) {
         append("[")
         var rest = list
-        while (!rest.isVar && !(rest.term == null && rest.next == null)) { // Jason looks for the end of a list by recursion
+        while (!rest.isVar && !(rest.term == null && rest.next == null)) { // Jason finds the end of a list by recursion
             if (rest !== list) append(",")
             if (rest.term != null) term(rest.term)
             rest = rest.next
@@ -263,7 +263,7 @@ internal class TermWriter {
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
 
-        /** Words with a meaning of their own, which are no functors. */
+        /** Words with a meaning of their own: they are no functors. */
         val RESERVED = setOf("true", "false", "default", "not")
 
         /** Returns true if [functor] needs no quotes. */
@@ -276,7 +276,7 @@ internal class TermWriter {
 
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** Returns [text] in quotes. Only characters of every encoding stand in the result. */
+        /** Returns [text] in quotes. The result has only characters that every encoding has. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {

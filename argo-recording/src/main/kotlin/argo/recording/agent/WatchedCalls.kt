@@ -25,7 +25,7 @@ internal class WatchedAction(private val name: String, override val code: Intern
     private fun writeReplace(): Any =
         if (code is OfInfrastructure) JasonCode.typeOf(code.javaClass).getConstructor().newInstance() else code
 
-    /** Has the intention wait if the watch suspends the call. A replay does so where the recorded intention waited for other computers. */
+    /** Suspends the intention if the watch suspends the call. A replay does so if the recorded intention waited for other computers. */
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         isWaiting = false
         val call = InternalCall(name, args, un) {
@@ -73,7 +73,10 @@ internal object NobodyWatches : CallWatch {
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live()
 }
 
-/** Returns the calling agent's watch, or [own]. The calling agent may be another one, since a told plan contains the teller's code. */
+/**
+ * Returns the calling agent's watch, or [own]. The calling agent may be another one than the program's, since a told plan contains the
+ * teller's code.
+ */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
 /**
@@ -86,7 +89,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun get(key: String): InternalAction? {
         super.get(key)?.let { return it }
-        if (key == lookedUp) return null // Jason now makes the action and adds it here
+        if (key == lookedUp) return null // Jason now makes the action and puts it into this table
         lookedUp = key
         try {
             agent.getIA(key)

@@ -34,7 +34,7 @@ internal enum class WatchedKind(val isOfProject: Boolean) {
 
     PROJECT(true),
 
-    /** The project. The intention then waits for another thread. */
+    /** The project. After such a call the intention waits for another thread. */
     SUSPENDING(true),
 }
 
@@ -65,7 +65,7 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. This code is
+ * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. Such code is
  * the project's own, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this
  * class changes the program's own terms.
  */
@@ -201,7 +201,10 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
-        /** Returns [action], which the program calls [name]. If it must be watched, the result asks [watch] about each call. */
+        /**
+         * Returns [action], which the program calls [name], perhaps wrapped. If the action must be watched, the result asks [watch] about
+         * each call.
+         */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
             action is random -> WatchedRandom(action, WatchedAction(calledName(name, action), action, watch))

@@ -51,7 +51,8 @@ internal class CycleNotes(val ns: Long) {
     var isSending = false
 
     /**
-     * Notes that [why] keeps any replay from having this cycle. If [isOfProject], a replay that carries out the project's code can have it.
+     * Notes that no replay can have this cycle, because of [why]. If [isOfProject], a replay that carries out the project's code can have
+     * the cycle.
      */
     fun refuse(why: String, isOfProject: Boolean = true) {
         val known = refusal
@@ -97,8 +98,8 @@ internal class CycleNote(
 }
 
 /**
- * A call whose result becomes known later, perhaps in parts during the cycle. [args] are the arguments of the action or function; Jason has
- * copied them, but the project's code may change them.
+ * A call whose result becomes known later than the call, perhaps in parts during the cycle. [args] are the arguments of the action or
+ * function; Jason has copied them, but the project's code may change them.
  */
 internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }

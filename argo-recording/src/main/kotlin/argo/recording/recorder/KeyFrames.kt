@@ -43,12 +43,12 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
 
     /** Notes that the agent has begun the timer [number], for [delayNs] from [ns] on. */
     fun timer(number: Int, ns: Long, delayNs: Long) {
-        val wait = ts.c.listeners.lastOrNull() ?: return // a .wait adds its listener just before its timer
+        val wait = ts.c.listeners.lastOrNull() ?: return // a .wait adds its listener immediately before its timer
         if (!isKnown || !WaitEvents.isWait(wait) || timers.values.any { it.wait === wait }) return
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
-    /** Notes that the agent's program has been exchanged. Key frames then have the plans and rules that differ from the program's. */
+    /** Notes that the agent's program has been exchanged. Key frames now contain the plans and rules that differ from the program's. */
     fun reloaded() = program.forgetMoved()
 
     fun ended(number: Int) {

@@ -8,8 +8,8 @@ import java.util.concurrent.TimeUnit
 
 /**
  * Makes messages of the numbers in percepts, for programs that plot: `dist(front,38)` of the agent `driver` is `{"value":38}` in the topic
- * `/driver/percept/dist/front`, when it changes. Of several changes within [LEAST_NS] the last one counts. For the thread that stores
- * records.
+ * `/driver/percept/dist/front`, when it changes. If a number changes several times within [LEAST_NS], the last change counts. For the
+ * thread that stores records.
  *
  * @param channel returns the channel of a topic for a schema with a name
  * @param warn takes a sentence if there are more than [MAX_CHANNELS] topics
@@ -25,12 +25,12 @@ internal class PerceptNumbers(
     }
 
     private val courses = HashMap<String, Course>()
-    private val indexed = HashSet<String>() // topics of several percepts in one message, which differ by their first numbers
+    private val indexed = HashSet<String>() // topics of several percepts in one message, which are told apart by their first numbers
     private val held = LinkedHashMap<Course, Encoded>() // changes that came soon after others
     private var hasWarned = false
 
     /**
-     * Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, as known at [nowNs].
+     * Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, at [nowNs].
      */
     fun of(snapshots: List<PerceivedSnapshot>, offsetNs: Long, nowNs: Long): List<Encoded> {
         for (snapshot in snapshots) note(snapshot.texts.mapNotNull { numbersIn(it, snapshot.namespace) }, snapshot.receivedNs + offsetNs)

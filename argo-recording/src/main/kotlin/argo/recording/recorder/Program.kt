@@ -20,7 +20,7 @@ import java.io.IOException
 
 /**
  * Stores the program of the agent of [ts] with all files that it includes, its options and all versions.
- * @throws IOException if the program cannot be read, or only the project's code can read it
+ * @throws IOException if the program cannot be read, or can be read only by the project's code
  */
 internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
     val name = ts.agArch.agName
@@ -57,7 +57,8 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
 }
 
 /**
- * Returns the [settings] that an infrastructure may change besides the options. For example, an execution control makes agents wait for it.
+ * Returns those [settings] that an infrastructure may change besides the options. For example, an execution control makes agents wait for
+ * it.
  */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",

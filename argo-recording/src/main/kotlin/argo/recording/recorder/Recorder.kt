@@ -73,7 +73,7 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** An end that waits for the next cycle, with its work if another thread left that work. */
+    /** An end that waits for the next cycle; if another thread left work, its work. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
@@ -139,7 +139,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. Nobody knows how that cycle would have gone on. */
+    /** Ends the agent's recording with a cycle that an error has ended. Nobody knows the rest of that cycle. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -163,7 +163,10 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /** Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are allowed, since a replay has them all. */
+    /**
+     * Refuses the cycle if the project's thread has changed the agent's beliefs. Events that it has added are allowed, since a replay has
+     * them all.
+     */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
@@ -194,7 +197,7 @@ internal class Recorder(
         else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
     }
 
-    /** Does the project's [work]. If that changes the agent, refuses the cycle with [why], since a replay does not carry the work out. */
+    /** Does the project's [work]. If it changes the agent, refuses the cycle with [why], since a replay does not carry it out. */
     private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
         if (isRefused) return work()
         val before = MindSizes.of(agent.ts)
@@ -300,9 +303,7 @@ internal class Recorder(
         return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
     }
 
-    /**
-     * Refuses the cycle if the project's present action [does] something besides its result, since a replay does not carry the action out.
-     */
+    /** Refuses the cycle if the project's present action [does] more than return a result, since a replay does not carry the action out. */
     private fun refuseIfOfProject(agent: Running, does: String) {
         val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
         agent.now.refuse("the project's action ${call.name} $does besides its result")
@@ -348,7 +349,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. Jason's own classes leave their work in a replay, too; only the end of a project's action is missing there. */
+    /** Takes [work]. Jason's own classes leave their work in a replay, too; only the end of a project's action is missing in a replay. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -433,14 +434,14 @@ internal class Recorder(
         if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
-    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must contain the counters. */
+    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must contain them. */
     private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
         !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
         Counters.isAt(agent.counters) -> agent.counters
         else -> if (isRecorded) Counters.read() else emptyList()
     }
 
-    /** Notes the counters before this agent's own draws, since other agents have drawn from them in this cycle, too. */
+    /** Notes the counters before this agent's own draws: other agents have drawn from them in this cycle, too. */
     private fun noteCounters(agent: Running, message: String?) {
         val start = agent.counters
         val c = agent.ts.c
@@ -454,7 +455,7 @@ internal class Recorder(
         if (agent.events.size > 0 || works.get() > 0) return // waiting events and work belong to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
-        if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay from here on
+        if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay that begins there
     }
 
     private fun current() = if (inCycle === Thread.currentThread()) running else null
@@ -501,7 +502,7 @@ internal class Recorder(
         return true
     }
 
-    /** Leaves the recording, with the present cycle if the agent is stopped in the middle of one: its thread leaves then, after it. */
+    /** Leaves the recording. If the agent is stopped in the middle of a cycle, its thread leaves later, after this cycle. */
     override fun close() {
         isStopped = true
         if (unstored?.isAlive == true) return

@@ -17,8 +17,8 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
     private var agents = 0
 
     /**
-     * Closes a file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring is written only on request, not at the
-     * end of a program.
+     * Closes a file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring is written only on request, and not at
+     * the end of a program.
      */
     private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 

@@ -1,12 +1,12 @@
 package argo.recording.recorder
 
 import argo.hand.ProgramSource
+import argo.insides.Insides
 import argo.insides.KeptInclude
 import argo.recording.agent.ProgramNames
 import argo.recording.includeMetadata
 import argo.recording.programName
 import argo.recording.storage.RecordSink
-import jason.asSyntax.directives.DirectiveProcessor
 import java.io.IOException
 import java.nio.file.Path
 
@@ -74,10 +74,10 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns the reason why no replay can read the program with [names], namely that the project's code reads a directive; null: none. */
+/** Returns why no replay can read the program with [names]: the project's code reads a directive. Null: a replay can read it. */
 internal fun foreignDirective(names: ProgramNames): String? =
     (names.directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
-        val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
+        val type = Insides.directiveClasses[null][directive] // null: the term only looks like a directive
         type?.let { "the project's class ${it.name} reads its directive $directive" }
     }
 

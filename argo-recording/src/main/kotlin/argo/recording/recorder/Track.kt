@@ -64,7 +64,7 @@ internal class Track(
         json(Cycle.serializer(), cycle.copy(refusal = refusal).lean())
     }
 
-    /** Returns the refusal of the first term of [input] that could not be written; null: all could. */
+    /** Returns the refusal of the first term of [input] that could not be written; null: all terms could be written. */
     private fun refusalOfTerms(input: Input): Refusal? = input.texts().find(TermWriter::isRefused)
         ?.let { Refusal("agent $agent got ${TermWriter.refusalOf(it)}, which a recording cannot hold") }
 
@@ -81,7 +81,7 @@ internal class Track(
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
-    /** Marks that the agent requests the recording because of [why], and has another thread save a ring. */
+    /** Marks the place where the agent requests the recording because of [why], and makes another thread save a ring. */
     fun save(why: String, ns: Long) {
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
@@ -105,7 +105,7 @@ internal class Track(
 
     private fun <T> json(serializer: KSerializer<T>, value: T) = JSON.encodeToString(serializer, value).encodeToByteArray()
 
-    /** The approximate size of the texts of this. */
+    /** The approximate size of the texts of this cycle. */
     private val CycleNote.bytes get() = CYCLE_BYTES + percepts * PERCEPT_BYTES
 
     private companion object {

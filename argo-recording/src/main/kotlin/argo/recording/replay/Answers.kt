@@ -38,7 +38,7 @@ internal interface Answers {
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start]; null: at its program's beginning. [timers] are the running timers, by their numbers. */
+    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. [timers] are the running ones, by their numbers. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
     fun next(cycle: Cycle)
@@ -113,8 +113,8 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
 }
 
 /**
- * Has [live] carry out [call], which sends a message. Then the intention waits or its plan fails, as [recorded]. Null: nothing was
- * recorded, as without a fleet, where no intention waits.
+ * Lets [live] carry out [call], which sends a message. Afterwards the intention waits or its plan fails, as [recorded]. Null: nothing was
+ * recorded, as outside of a fleet, where no intention waits.
  */
 internal fun send(recorded: Call?, call: InternalCall, live: (Unifier) -> Any, suspending: (suspend: () -> Unit) -> Unit): Any {
     val result = try {

@@ -84,8 +84,8 @@ private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver
 
 /**
  * Returns [text] without the numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of
- * all agents. The place of failed code is a path on the recording machine, and is missing in messages. A hash belongs to a Java object,
- * such as the iterator in the steps of a loop.
+ * all agents. The place of failed code is a path on the machine of the recording, and is missing in messages. A hash belongs to a Java
+ * object, such as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

@@ -27,10 +27,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
+ * Makes Jason create an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
- * @param isCarryingOut whether an architecture of the project may be made, which may do anything
- * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or Jason cannot read the program
+ * @param isCarryingOut whether an architecture of the project may be made; such an architecture may do anything
+ * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or if Jason cannot read the program
  */
 internal fun jasonAgent(
     recorded: RecordedAgent,
@@ -71,7 +71,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source]. Jason's annotations and errors then name [address] as its place; null: [source]. */
+/** Reads the program in the file [source]. Jason's annotations and errors name [address] as its place; null: [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, ProgramSource.nameOf(address)) }
@@ -123,14 +123,14 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 }
 
 /**
- * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads settings when it makes an agent; some
- * it reads only once in a program, with the first term.
+ * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads most settings when it makes an agent;
+ * it reads some only once in a program, with the first term.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
 /**
- * Has Jason [read] a program with these [settings], but without its server for showing agents. The server would show each block of a
+ * Lets Jason [read] a program with these [settings], but without its server for showing agents. The server would show each block of a
  * program as an agent, too.
  */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
@@ -170,7 +170,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
     null
-} catch (_: LinkageError) { // a disk that ignores case finds the class of a name in another case
+} catch (_: LinkageError) { // on a disk that ignores case, Java finds the class of a name in another case
     null
 }
 

@@ -39,13 +39,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
 
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the calls of [name] with [args] one after the other, each once; null: none is left. */
+    /** Returns the calls of [name] with [args] one after the other, each only once; null: none is left. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
      * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]; null: there
-     * is none, or each has been returned.
+     * is no such call that was not yet returned.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
@@ -54,7 +54,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 
-    /** Returns the first call of [name] with [args], at any time. May return it several times. */
+    /** Returns the first call of [name] with [args], at any time. May return the same call several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
     /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late. Returns each end once. */
@@ -63,7 +63,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** Returns the end of the timer [number], which the same step began, if that timer was due at about [ns]. Returns each end once. */
+    /** Returns the end of the timer [number], which the same step began, if the timer was due at about [ns]. Returns each end once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 

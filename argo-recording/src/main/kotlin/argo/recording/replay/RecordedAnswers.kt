@@ -121,8 +121,8 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     }
 
     /**
-     * Reports a call [now] that was not recorded. If Jason ended the recorded cycle early, the call might have come later, and is not
-     * reported.
+     * Reports a call that the agent makes [now] and that was not recorded. If Jason ended the recorded cycle early, such a call might have
+     * come later, and is not reported.
      */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)

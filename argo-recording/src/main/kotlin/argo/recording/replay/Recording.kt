@@ -49,10 +49,10 @@ class Recording(private val file: Path) : AutoCloseable {
     val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
 
     /**
-     * A file that an agent has included, or requested in vain.
+     * A file that an agent has included, or has tried to include.
      *
-     * @property within the including file of the program
-     * @property name the name of the included file in that file
+     * @property within the program's file that includes it
+     * @property name the name by which that file includes it
      * @property address Jason's address of the included file
      * @property text the content of the included file; null: there was no such file
      */
@@ -112,7 +112,7 @@ class Recording(private val file: Path) : AutoCloseable {
 
     /**
      * Refuses [cycle] of [agent] if no replay can have it. Also refuses a cycle that does not directly follow the cycle with the index
-     * [last], 0 for none. If [isCarryingOut], the replay carries out the project's code, so it can have more of the cycles.
+     * [last]; 0: [cycle] is the first. If [isCarryingOut], the replay carries out the project's code, so it can have more cycles.
      * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -201,8 +201,8 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
 class RecordingException(message: String) : IOException(message)
 
 /**
- * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deep, this is a refusal,
- * otherwise [failed] itself.
+ * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deep, the result is a
+ * refusal, otherwise [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

@@ -7,14 +7,15 @@ import argo.recording.agent.shownBeliefs
 /**
  * Runs the agents of [recording] again in Jason on their recorded input, without boards, threads and clocks. The cycles run in the order of
  * their times. After each cycle, the replay compares the agent's course with the recorded one. An agent with another course is stopped,
- * since the later input answers other actions. An agent also stops before its first cycle that no replay can have, see [refusals].
+ * since its later input answers actions that it has not done. An agent also stops before the first of its cycles that no replay can have,
+ * see [refusals].
  *
  * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
- * recorded results. If [isChecking], a replay does carry them out and reports another result as a difference, but still uses the recorded
- * result. Unless [isChecking], a replay refuses an agent that has an architecture of the project in place of `argo.Arch`.
+ * recorded results. If [isChecking], a replay does carry them out, and reports a result that differs from the recorded one, but still uses
+ * the recorded result. Unless [isChecking], a replay refuses an agent that has an architecture of the project in place of `argo.Arch`.
  *
  * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
- * an agent's recording contains all messages that the agent took afterwards.
+ * an agent's recording contains all messages that the agent took after its own key frame.
  *
  * Close the replay at the end. For one thread; a program can run one replay at a time.
  *
@@ -40,7 +41,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     var cyclesRun = 0L
         private set
 
-    /** The beginning of the last cycle that was run, in ns of the agents' clock; null: none was run. */
+    /** The beginning of the cycle that was run last, in ns of the agents' clock; null: none was run. */
     var lastNs: Long? = null
         private set
 
@@ -52,7 +53,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     val nextNs: Long? get() = next.values.minOfOrNull { it.ns }
 
     /**
-     * Returns the pauses of [agent] in this replay. While the agent stands, [run] does not return, so another thread has it go on. A pause
+     * Returns the pauses of [agent] in this replay. While the agent stands, [run] does not return, so another thread lets it go on. A pause
      * changes nothing of the agent's course.
      */
     fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing

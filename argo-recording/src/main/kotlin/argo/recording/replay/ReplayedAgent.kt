@@ -78,7 +78,7 @@ internal class ReplayedAgent(
     }
 }
 
-/** Returns why [cycle] of [agent] cannot follow the cycle with the index [last], in words. */
+/** Returns why [cycle] of [agent] cannot follow the cycle with the index [last], in words; null: it can. */
 internal fun gap(agent: String, cycle: Cycle, last: Long) =
     "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
         "the disk was too slow, or that part of the file is damaged; until there it can be replayed"

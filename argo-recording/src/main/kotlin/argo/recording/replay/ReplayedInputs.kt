@@ -149,7 +149,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: a text replaces a term that no recording can contain. */
+    /** Returns the result of [read], which reads recorded texts; null: one of the texts replaces a term that no recording can contain. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {
@@ -157,8 +157,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [ask], which only asks. The calls in [ask] get the results recorded in this cycle, and do not count as the agent's calls. For
-     * the agent's thread.
+     * Does [ask], which only asks and changes nothing. The calls in [ask] get the results recorded in this cycle, and do not count as the
+     * agent's calls. For the agent's thread.
      */
     override fun <T> asking(ask: () -> T): T {
         val around = isAsking
@@ -228,7 +228,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     override fun isHeld(live: () -> Boolean): Boolean {
-        live() // a debugger may have the replay stand here
+        live() // a debugger may make the replay stand here
         return cycle.input.isHeld && Insides.isBeforeIntention(ts)
     }
 

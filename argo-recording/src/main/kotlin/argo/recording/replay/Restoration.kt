@@ -30,7 +30,7 @@ import java.util.concurrent.ScheduledFuture
 import java.util.zip.InflaterInputStream
 
 /**
- * Restores the agent of [ts] to its state at [frame]. Jason has just read the agent, which has had no cycle.
+ * Restores the agent of [ts] to its state at [frame]. Jason has just made the agent, which has had no cycle yet.
  *
  * @param program the parts of the recorded program; the agent's intentions consist of its plans
  * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
@@ -93,7 +93,7 @@ internal class Restoration(
     /** Returns the rule at this [place] among the beliefs; null: there is none. */
     private fun ruleAt(place: Int, mind: Mind): Rule? = frame.rules[place]?.let(program.rules::get) ?: mind.rules?.get(place)
 
-    /** Returns a set of [percepts] with the order of the list, if one is found. The order depends on the capacity of the set. */
+    /** Returns a set of [percepts] that has the order of the list, if such a set is found. The order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {
         val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
         val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }
@@ -141,7 +141,7 @@ internal class Restoration(
     }
 
     private companion object {
-        /** The capacities of Java's sets: powers of two, at most three quarters full. */
+        /** The capacities of Java's sets: powers of two, and a set is at most three quarters full. */
         const val SMALLEST = 16
         const val LARGEST = 1 shl 20
         const val LOAD = 0.75

@@ -9,7 +9,7 @@ internal interface Senses {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
-    /** Returns the agent's percepts in [cycle], a recorded or additional one; null: nothing has changed. */
+    /** Returns the agent's percepts in [cycle], which is recorded or additional; null: nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
     /** Returns the new percepts of the last perception that meet critical rules. */
@@ -45,6 +45,6 @@ internal class RecordedSenses : Senses {
     }
 }
 
-/** Returns the percepts after this change of [percepts]. [read] makes a literal of a text. */
+/** Returns [percepts] as they are after this change. [read] makes a literal of a text. */
 internal fun PerceptChange.appliedTo(percepts: List<Literal>, read: (String) -> Literal = ::literalOf): List<Literal> =
     percepts.take(keep) + now.map(read) + percepts.takeLast(keepLast)

@@ -13,12 +13,12 @@ import java.time.Duration
  * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes its commands.
  * Messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - A command ends like the nearest recorded one of the same text within a second. If there is none, the command succeeds in the usual
+ * - A command ends like the nearest recorded command of the same text within a second. Without such a command, it succeeds in the usual
  *   time.
  * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
- *   question within a second. If there is none, the question is false. All other actions of `argo.` succeed.
- * - Chance and clocks give the recorded values in the order of the questions, and after the last recorded value other values.
- * - A timer ends together with a recorded timer that ended at about the same time. If there is none, the timer ends at its own time.
+ *   question within a second. Without such an answer, the question is false. All other actions of `argo.` succeed.
+ * - Chance and clocks give the recorded values in the order of the questions; when these are used up, they give other values.
+ * - A timer ends together with a recorded timer that ended at about the same time. Without such a timer, it ends at its own time.
  * - The project's own internal actions are carried out if [program] is given. Without [program], these actions have their recorded results.
  *
  * As long as the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
@@ -61,7 +61,7 @@ class WhatIf internal constructor(
     /** The commands that the agent has sent in this run. */
     val commandsNow: List<SentCommand> get() = answers.sent
 
-    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock, from which times count; null: none was run. */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock, from which times count; null: there is none. */
     var firstNs: Long? = null
         private set
 
@@ -127,7 +127,8 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs additional cycles until [ns] while the recorded agent slept. In these the agent does its work and takes the ends that are due.
+     * Runs additional cycles until [ns] while the recorded agent slept. In these cycles the agent does its work and takes the ends that are
+     * due.
      */
     private fun runBetween(ns: Long) {
         while (true) {

@@ -21,8 +21,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.random.Random
 
 /**
- * Gives an agent the recorded results nearest in time, see [WhatIf]. The agent may differ from the recorded one. Notes the commands that it
- * sends.
+ * Gives an agent the recorded results that are nearest in time, see [WhatIf]. The agent may differ from the recorded one. Notes the
+ * commands that the agent sends.
  *
  * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
@@ -217,7 +217,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         /** The largest number of recorded messages that are kept for comparison with later messages of the agent. */
         private const val MOST_UNANSWERED = 1000
 
-        /** The actions whose answers are true only about the time of the question. */
+        /** The actions whose answers are true only for the time of the question. */
         private val LATE = setOf("argo.age", "argo.skew", "argo.can", "argo.explain")
 
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")

@@ -29,7 +29,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      *
      * @param timeNs the time of the message, in ns, since 1970 or of another clock for all messages; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports it itself
+     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, which it reports itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
@@ -37,7 +37,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      * Offers a message for storing, like the other [offer], but another thread makes its JSON.
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
-     * @param beside makes further messages later, behind this one
+     * @param beside makes further messages later, which follow this one
      * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
      */
     fun offer(
@@ -64,14 +64,31 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
     /** Waits until everything offered before is stored, or storing has ended. */
     fun flush() = waiting.flush()
 
-    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which says so, to [warn]. */
+    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which reports this, to [warn]. */
     internal fun giveUp(sentence: String, warn: (String) -> Unit) {
         trouble = sentence
         warn(sentence)
         waiting.giveUp()
     }
 
-    /** Stores everything offered before, and ends the recording. Records offered later are not stored. May be called twice. */
+    /**
+     * Has [worker] store what waits, and waits until it has ended. Jason interrupts the thread of an agent that it stops, which would cut
+     * the recording off: the thread waits on, and is interrupted afterwards.
+     */
+    internal fun closeAndAwait(worker: Thread) {
+        waiting.close()
+        var isInterrupted = false
+        while (worker.isAlive) {
+            try {
+                worker.join()
+            } catch (_: InterruptedException) {
+                isInterrupted = true
+            }
+        }
+        if (isInterrupted) Thread.currentThread().interrupt()
+    }
+
+    /** Stores everything offered before, and ends the recording. Records offered afterwards are not stored. May be called twice. */
     abstract override fun close()
 }
 

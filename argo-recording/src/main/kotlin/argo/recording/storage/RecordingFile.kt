@@ -32,10 +32,7 @@ class RecordingFile internal constructor(
 ) : RecordSink(maxWaitingBytes) {
     private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
 
-    override fun close() {
-        waiting.close()
-        writing.join()
-    }
+    override fun close() = closeAndAwait(writing)
 
     private fun write() {
         var writer: McapWriter? = null
@@ -74,7 +71,7 @@ class RecordingFile internal constructor(
     }
 
     private fun endWith(failure: Throwable, wholeBytes: Long) {
-        runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip what cannot be cut off
+        runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip the bytes that cannot be cut off
         val why = if (failure is IOException) failure.message ?: "$failure" else "$failure"
         val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
         val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without a recording, and " +
@@ -89,7 +86,7 @@ class RecordingFile internal constructor(
         private val FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(500)
 
         /**
-         * Begins a recording in [path]. If that exists, takes the first of `…-2.mcap`, `…-3.mcap` and so on that does not exist.
+         * Begins a recording in [path]. If [path] exists, takes the first of `…-2.mcap`, `…-3.mcap` and so on that does not exist.
          *
          * @param warn takes one sentence for the user if nothing more can be written; the writing thread calls it
          * @throws IOException if the file cannot be made

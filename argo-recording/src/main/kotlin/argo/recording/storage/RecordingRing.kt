@@ -16,10 +16,10 @@ import kotlin.concurrent.withLock
  * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps all attachments and metadata. In place of a
  * message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
- * If memory runs out, or nothing more can be kept for another reason, [warn] is called once and all later records are refused.
+ * If memory runs out, or if for another reason nothing more can be kept, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the most bytes of kept messages; above it the oldest messages are dropped before [last] is over
+ * @param maxBytes the most bytes of kept messages; beyond it the oldest messages are dropped before the time [last] is over
  * @param warn takes one sentence for the user; the thread of the ring calls it
  */
 class RecordingRing(
@@ -82,8 +82,7 @@ class RecordingRing(
     }
 
     override fun close() {
-        waiting.close()
-        keeping.join()
+        closeAndAwait(keeping)
         lock.withLock {
             messages.clear()
             others.clear()

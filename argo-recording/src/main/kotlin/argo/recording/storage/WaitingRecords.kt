@@ -6,7 +6,7 @@ import kotlin.concurrent.withLock
 
 /** A record that waits for the writing thread, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages behind it. */
+    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages that follow it. */
     class Message(
         val channel: RecordChannel,
         val timeNs: Long,
@@ -16,10 +16,10 @@ internal sealed interface Waiting {
     ) : Waiting {
         constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, encode = gap::json)
 
-        /** Returns the message with its JSON, or a gap if [encode] fails, and the messages behind it. */
+        /** Returns the message with its JSON, or a gap if [encode] fails, followed by the messages of [beside]. */
         fun encoded(): List<Encoded> = try {
             listOf(Encoded(channel, timeNs, encode())) + beside()
-        } catch (_: Throwable) { // even a stack overflow by a deep term; the writing thread must go on
+        } catch (_: Throwable) { // even a stack overflow by a deep term, since the writing thread must go on
             listOf(Gap.of(timeNs).encoded())
         }
     }
@@ -74,8 +74,8 @@ internal class WaitingRecords(private val maxBytes: Long) {
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, a caller waits in
-     * [flush], or this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, if a caller waits in
+     * [flush], or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
      * empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {

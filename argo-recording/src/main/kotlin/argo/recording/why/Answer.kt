@@ -6,11 +6,11 @@ import kotlinx.serialization.Serializable
  * The reasons for which a [command] was issued.
  *
  * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
- * @property reflex the critical rule whose reflex it was; null: it was no reflex
+ * @property reflex the critical rule whose reflex the command was; null: it was no reflex
  * @property frame the frame whose percept began the intention or met the critical rule; null: there is none
- * @property frames all frames that caused the command, [frame] first, then those of percepts in contexts and tests
- * @property sent if the root is a message, its sending and earlier ones that led to it, in the given recordings, the nearest first
- * @property had the counterfactuals: the agent's commands with another percept, from the question or found by the search
+ * @property frames all frames that caused the command: [frame] first, then the frames of percepts in contexts and tests
+ * @property sent if the root is a message: its sending and the earlier sendings that led to it, in the given recordings, the nearest first
+ * @property had the counterfactuals: the agent's commands with another percept, which the question names or the search finds
  */
 @Serializable
 data class Answer(
@@ -30,7 +30,7 @@ data class Answer(
  * @property agent the sender
  * @property seconds the time of the sending, since the first cycle of [file]
  * @property delayMs the time until the receiver took the message, in ms, corrected by the difference of both clocks; null: not known
- * @property clock the difference between the clocks of [file] and the first recording, in words; null: it is the first
+ * @property clock the difference between the clocks of [file] and of the first recording, in words; null: [file] is the first
  * @property cause the step that sent the message; null: not found, for the reason [trouble]
  */
 @Serializable
@@ -48,9 +48,9 @@ data class SentCause(
  * A counterfactual: the agent's commands in a replay with another percept.
  *
  * @property percept the percept that the agent perceives in the replay
- * @property replaced the recorded percept in whose place [percept] stands; null: [percept] is additional
+ * @property replaced the recorded percept that [percept] replaces; null: [percept] is additional
  * @property from the beginning of the first cycle in which the agent perceives [percept], in seconds
- * @property until the beginning of the command's cycle, the last one in which the agent perceives [percept], in seconds
+ * @property until the beginning of the command's cycle, the last cycle in which the agent perceives [percept], in seconds
  * @property isSent whether the agent still sends the command
  * @property commands the agent's commands from [from] to [until]
  * @property recorded the recorded commands from [from] to [until]
@@ -86,9 +86,9 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
  * @property stepLine the line of [step]
  * @property event the last event for which the plan was relevant; null: there was none
  * @property seconds the beginning of the cycle in which the agent chose [event], since the first cycle
- * @property conditions the parts of the plan's context at [event], up to the part that failed
- * @property chosen the plan that the agent chose instead; null: none
- * @property missed percepts that did not reach the agent, but would have triggered the plan or made its context true
+ * @property conditions the parts of the plan's context at [event], up to the first that failed
+ * @property chosen the plan that the agent chose instead; null: it chose none
+ * @property missed percepts that did not reach the agent, although they would have triggered the plan or made its context true
  * @property above if [event] is null, the plans that would have caused such an event
  */
 @Serializable
@@ -119,7 +119,7 @@ enum class Verdict {
     /** The plan was applicable, but the agent chose another applicable plan. */
     NOT_CHOSEN,
 
-    /** The agent chose the plan, but its intention did not reach the step: it waits, has failed, or was dropped. */
+    /** The agent chose the plan, but its intention did not reach the step: the intention waits, has failed, or was dropped. */
     NOT_REACHED,
 
     /** The agent chose the plan and issued the command, but at another time. */

@@ -41,7 +41,7 @@ data class Frame(
  * The arrival or the departure of a percept.
  *
  * @property isGone true for a departure
- * @property seconds the beginning of the cycle in which the agent noticed that
+ * @property seconds the beginning of the cycle in which the agent noticed it
  * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
  * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
@@ -91,10 +91,10 @@ data class MessageCause(
 ) : Cause
 
 /**
- * An order of a person to the agent, or of its last run.
+ * An order to the agent, from a person or from the agent's last run.
  *
  * @property kind `believe`, `forget`, `begin`, `drop` or `reload`; of the last run `resume` or `begin_anew`
- * @property text the belief or goal, as the person wrote it; of the last run one on each line; empty: the order has none
+ * @property text the belief or goal, as the person wrote it; for an order of the last run, one on each line; empty: the order has none
  */
 @Serializable
 @SerialName("order")
@@ -140,7 +140,7 @@ data class StepCause(
  * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of the cycle of the choice
  * @property conditions the parts of the plan's context with their values at the choice
- * @property again how often the plan had called itself before, each time as its last step
+ * @property again how often the plan had called itself before, as its last step each time
  */
 @Serializable
 @SerialName("plan")

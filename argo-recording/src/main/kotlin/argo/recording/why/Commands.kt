@@ -6,7 +6,7 @@ import argo.recording.ReflexEnd
 import argo.recording.replay.Recording
 import kotlin.math.abs
 
-/** Finds all commands of one agent of [recording], by any sender. */
+/** Finds all commands of one agent of [recording], whoever sent them. */
 internal class Commands(
     private val recording: Recording,
     private val agent: String,

@@ -19,7 +19,7 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     /** Explains the commands of the first recording. */
     val first: Why get() = whys.first()
 
-    /** Returns [answer], which [first] has given, with the sendings of the messages at its root. */
+    /** Returns the [answer] that [first] has given, with the sendings of the messages at its root added. */
     fun follow(answer: Answer): Answer = answer.copy(sent = sendings(0, answer.command.agent, answer.cause))
 
     private fun sendings(place: Int, agent: String, cause: Cause?): List<SentCause> {

@@ -54,7 +54,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
-    /** Returns the last departure of a percept that [matches]; null: none is known. */
+    /** Returns the last departure of a percept for which [matches] is true; null: none is known. */
     fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
 
     /** Returns the percepts of [snapshot] that the filter kept, in the form of beliefs, each with its text. */

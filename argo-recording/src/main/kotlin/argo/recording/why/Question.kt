@@ -11,12 +11,12 @@ import kotlin.math.abs
  * @property number counts the commands of the agent, from 1
  * @property text the command, such as `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds the time since the first cycle at which the step's cycle began or, if the command is a reflex of the board, at which
- *   the board reported it
- * @property cycle Jason's number of the last cycle that had begun by then, see [argo.recording.Cycle.number]; 0: none had begun
+ * @property seconds the time since the first cycle at which the step's cycle began; for a reflex of the board, at which the board reported
+ * it
+ * @property cycle Jason's number of the last cycle that had begun by that time, see [argo.recording.Cycle.number]; 0: none had begun
  * @property sent the command's number among the agent's commands to boards, from 1, as in the live view and the timeline. Null: the command
  *   was an action of the environment, or a reflex that the board carried out.
- * @property index counts the recorded cycles up to the command's, see [argo.recording.Cycle.index]
+ * @property index counts the recorded cycles up to that of the command, see [argo.recording.Cycle.index]
  */
 @Serializable
 data class RecordedCommand(
@@ -49,7 +49,7 @@ enum class Sender {
  *
  * @property text the whole command, or its functor; empty: any
  * @property seconds the approximate time since the first cycle; null: any time
- * @property count the number of the command among the commands with this [text], from 1. For an empty text, the number is
+ * @property count the number of the command, from 1, among the commands with this [text]. For an empty text, the number is
  *   [RecordedCommand.sent]. Null: the command nearest to [seconds] or, without [seconds], the last command.
  */
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {

@@ -29,7 +29,7 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent in its replay. A trace finds the causes of events, the chosen plans and their conditions, and the beliefs and commands
+ * Follows an agent in its replay. A trace finds the causes of events, the chosen plans with their conditions, and the beliefs and commands
  * of steps. A trace passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before it
  * looks for a plan.
  */
@@ -133,7 +133,7 @@ internal class Trace(
     }
 
     override fun ruleApplied() {
-        if (isWatching) return // Jason also calls this while it evaluates a formula for this class
+        if (isWatching) return // Jason also calls this when it evaluates a formula for this class
         isWatching = true
         try {
             inputs.ruleApplied()
@@ -188,8 +188,8 @@ internal class Trace(
     }
 
     /**
-     * Returns why [plan], which is relevant under [un], is not applicable now. The result is the parts of the context up to the first part
-     * that fails.
+     * Returns why [plan] is not applicable now, although it is relevant under [un]. The result is the parts of the context up to the first
+     * part that fails.
      */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
@@ -238,7 +238,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means]. The agent adopted that plan before the replay begins, so its cause is not known. */
+    /** Returns the plan of [means]. The agent adopted that plan before the replay began, so its cause is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)

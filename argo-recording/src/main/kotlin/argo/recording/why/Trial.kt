@@ -58,7 +58,7 @@ internal class Trial(
     }
 }
 
-/** Perceives the recorded percepts. From the cycle with the index [from] on, the agent gets them changed by [changed]. */
+/** Perceives the recorded percepts. From the cycle with the index [from] on, [changed] changes the agent's percepts. */
 internal class AlteredSenses(
     private val from: Long,
     private val changed: (List<Literal>) -> List<Literal>,

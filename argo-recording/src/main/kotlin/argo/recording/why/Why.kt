@@ -52,7 +52,7 @@ class Why(private val recording: Recording) : AutoCloseable {
      * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
      * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
-     * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
+     * @throws RecordingException like [answer], and if [percept] is no percept, or is the recorded percept itself
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
@@ -65,7 +65,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Explains why [agent] did not issue the command of [question] up to the question's time, or else to the end of the recording.
+     * Explains why [agent] did not issue the command of [question] up to the question's time; without a time, up to the end of the
+     * recording.
      * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
@@ -88,7 +89,7 @@ class Why(private val recording: Recording) : AutoCloseable {
      */
     internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? = trace(agent, cycle.index).sent[id]
 
-    /** Returns the message of [cause], which [agent] has taken. */
+    /** Returns the message that is the [cause] and that [agent] has taken. */
     internal fun mailOf(agent: String, cause: MessageCause): Mail? = cyclesOf(agent).asSequence()
         .filter { clock.seconds(it.ns) == cause.seconds }.flatMap { it.input.mail }.find { it.id == cause.id && it.sender == cause.sender }
 

@@ -7,6 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.checkAll
+import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Atom
 import jason.asSyntax.CyclicTerm
@@ -14,6 +15,8 @@ import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
 import jason.asSyntax.NumberTermImpl
 import jason.asSyntax.ObjectTermImpl
+import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
 import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
@@ -88,6 +91,13 @@ class TermTextSpec : FunSpec({
         plan.setAsPlanTerm(true)
         shouldReturn(plan)
         shouldReturn(ASSyntax.parseTerm("[{ +!g : c <- b }, { -?g(X)[s] }, { a; !b(X); +c }, { }, { a(X) :- b(X) & not c | d(X+1) }]"))
+    }
+
+    test("a step that compares keeps its line when Jason copies it, also if its variables have lost theirs") {
+        val plan = ASSyntax.parsePlan("+!go(X)\n <- Y = X + 20;\n X < 30.").apply { makeVarsAnnon() }
+        fun lines(body: PlanBody) = generateSequence(body) { it.bodyNext }.map { it.capply(Unifier()).srcInfo?.beginSrcLine }.toList()
+        lines((termOf(textOf(plan)) as Plan).body) shouldBe lines(plan.body)
+        lines(plan.body) shouldBe listOf(2, 3)
     }
 
     test("a term that cannot be recorded is refused by its name") {

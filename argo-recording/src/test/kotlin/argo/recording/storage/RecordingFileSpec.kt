@@ -94,6 +94,16 @@ class RecordingFileSpec : FunSpec({
         texts(path) shouldHaveSize 2
     }
 
+    test("a thread that is interrupted, as an agent's that Jason stops, closes the whole recording and stays interrupted") {
+        val path = tempdir().toPath().resolve("drive.mcap")
+        val file = RecordingFile.create(path) { error(it) }
+        repeat(500) { file.offer(file.cycles(), it.toLong(), json(it)) }
+        Thread.currentThread().interrupt()
+        file.close()
+        Thread.interrupted() shouldBe true
+        texts(path) shouldHaveSize 500
+    }
+
     test("a recording leaves an older one alone") {
         val folder = tempdir().toPath()
         folder.resolve("drive.mcap").writeText("older")

@@ -15,7 +15,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 
 /**
- * A bag of ROS 2 in the MCAP format: its messages, and its types as `rosapi` describes those of robots. Only one thread at a
+ * A bag of ROS 2 in the MCAP format: its messages, and its types in the form in which `rosapi` describes a robot's. Only one thread at a
  * time may read messages.
  *
  * @throws McapException if [path] is no MCAP file, or has nothing of ROS 2

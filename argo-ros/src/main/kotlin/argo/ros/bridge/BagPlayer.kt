@@ -10,12 +10,12 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Plays [bag] in the time of [clock], from the first subscription to one of its topics on. A message that is earlier than the one before it
- * in the file comes together with that. Safe for use by several threads.
+ * Plays [bag] in the time of [clock], beginning with the first subscription to one of its topics. A message that is earlier than the
+ * message before it in the file comes together with that message. Safe for use by several threads.
  *
  * @param worker reads the file and does the calls of the other functions, one task at a time
  * @param isWanted returns true if the messages of a topic are to be published
- * @param tell takes the problems of the bag, and its end, a sentence each
+ * @param tell takes the problems of the bag, and its end, which is no problem, a sentence each
  */
 internal class BagPlayer(
     private val bag: Bag,
@@ -23,10 +23,10 @@ internal class BagPlayer(
     private val worker: Executor,
     private val isWanted: (topic: String) -> Boolean,
     private val publish: (topic: String, message: JsonObject) -> Unit,
-    private val tell: (String) -> Unit,
+    private val tell: (sentence: String, isTrouble: Boolean) -> Unit,
 ) : AutoCloseable {
     private val hasBegun = AtomicBoolean()
-    private val messages = bag.messages() // this and next belong to the worker
+    private val messages = bag.messages() // this and the next field belong to the worker
     private var next: Pair<Long, McapMessage>? = null
     private var startNanos = 0L
 
@@ -41,22 +41,22 @@ internal class BagPlayer(
     }
 
     private fun begin() {
-        bag.problems.forEach { tell("of the bag: $it") }
+        bag.problems.forEach { tell("of the bag: $it", true) }
         play()
     }
 
-    /** Publishes the messages that are due, and comes back when the next one is. */
+    /** Publishes the messages that are due, and runs again when the next message is due. */
     private fun play() {
         try {
             while (!isClosed) {
-                val (sinceNanos, message) = next ?: if (messages.hasNext()) messages.next() else return tell("the bag is over")
+                val (sinceNanos, message) = next ?: if (messages.hasNext()) messages.next() else return tell("the bag is over", false)
                 val waitNanos = startNanos + sinceNanos - clock.nanos()
                 next = (sinceNanos to message).takeIf { waitNanos > 0 }
                 if (waitNanos > 0) return clock.schedule(waitNanos) { worker.execute(::play) }
                 if (isWanted(message.channel.topic)) take(message)
             }
         } catch (unreadable: IOException) {
-            if (!isClosed) tell("the bag cannot be read any further: ${unreadable.message}")
+            if (!isClosed) tell("the bag cannot be read any further: ${unreadable.message}", true)
         }
     }
 
@@ -64,7 +64,7 @@ internal class BagPlayer(
         val fields = try {
             bag.read(message)
         } catch (unreadable: McapException) {
-            return tell("a message of ${message.channel.topic} is left out: ${unreadable.message}")
+            return tell("a message of ${message.channel.topic} is left out: ${unreadable.message}", true)
         }
         publish(message.channel.topic, fields)
     }
@@ -75,7 +75,7 @@ internal class BagPlayer(
     }
 
     private companion object {
-        /** The time from the first subscription to the first message, for the other subscriptions. */
+        /** The time from the first subscription to the first message, so that the other subscriptions can come. */
         val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
     }
 }

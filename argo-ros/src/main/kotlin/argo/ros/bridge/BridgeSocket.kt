@@ -38,6 +38,9 @@ internal interface BridgeListener {
     /** A message was dropped unread. [what] describes the message. */
     fun dropped(what: String)
 
+    /** Of a bag in the bridge's place there is something to tell, a [sentence]; [isTrouble]: something of it is left out. */
+    fun told(sentence: String, isTrouble: Boolean) = Unit
+
     /** The connection is gone, for [reason]. May be called more than once. */
     fun gone(reason: String)
 }
@@ -46,7 +49,7 @@ internal interface BridgeListener {
  * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
-    /** Handles [operation]; returns false if the operation is unknown here. */
+    /** Handles [operation]; returns false if this class does not know the operation. */
     protected abstract fun hear(operation: JsonObject): Boolean
 
     override fun text(message: String) {
@@ -69,7 +72,10 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
 /** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
 internal interface Bridge : AutoCloseable {
     /** Sends [message]. Hold no lock: this thread may run the callbacks of messages that have left. */
-    fun send(message: Outgoing)
+    fun send(message: Outgoing) {
+        queue(message)
+        flush()
+    }
 
     /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
@@ -88,11 +94,6 @@ internal interface Bridge : AutoCloseable {
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
 
-    override fun send(message: Outgoing) {
-        outbox.add(message)
-        outbox.flush()
-    }
-
     override fun queue(message: Outgoing) = outbox.add(message)
 
     override fun flush() = outbox.flush()
@@ -105,7 +106,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
     }
 
-    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read by then are lost. */
+    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read within this time are lost. */
     override fun close() {
         outbox.close()
         socket.sendClose(WebSocket.NORMAL_CLOSURE, "")

@@ -4,8 +4,9 @@ import java.util.concurrent.TimeUnit
 
 /**
  * Measures how far a robot's clock is ahead of the platform's clock, from answers to questions for its time. The quickest of the last
- * [KEPT] answers counts. The robot read its clock at some time between question and answer, so the error is at most half of their distance.
- * If drift does not explain a new answer, the robot's clock was set, and earlier answers are forgotten. Safe for use by several threads.
+ * [KEPT] answers counts. The robot read its clock at some time between question and answer, so the error is at most half of the time
+ * between them. If a new answer differs by more than drift explains, the robot's clock was set, so earlier answers are forgotten. Safe for
+ * use by several threads.
  */
 internal class ClockOffset {
     private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)

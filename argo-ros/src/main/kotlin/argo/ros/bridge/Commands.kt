@@ -40,7 +40,7 @@ import java.util.concurrent.atomic.AtomicLong
  * robot may have carried the command out, so it is not sent again. Safe for use by several threads.
  *
  * @param graph the robot's graph, with the nodes that take the messages
- * @param warn takes reports of parts of a command that are left out
+ * @param warn takes reports of parts that were left out of a command
  * @param progress takes the newest feedback of a goal, for the rule of its percept; null: the goal has ended
  */
 internal class Commands(
@@ -56,11 +56,11 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
-    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule the goal that gave feedback last
-    private val session = "argo-${UUID.randomUUID()}" // each command's id begins with it, which excludes answers to other clients
+    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule, the goal that gave feedback last
+    private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which excludes answers to other clients
     private val number = AtomicLong()
 
-    /** Returns the first messages to the bridge. These announce commands, so that subscribers come in time, and subscribe to results. */
+    /** Returns the first messages for the bridge. These announce commands, so that subscribers come in time, and subscribe to results. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -81,7 +81,7 @@ internal class Commands(
         return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
     }
 
-    /** Returns true unless the command [text] is only published. An unknown command also counts, and is refused when it is sent. */
+    /** Returns true unless the command [text] is only published. An unknown command also counts; it is refused when it is sent. */
     fun answers(text: String): Boolean = ruleOf(GroundTerm.ofOrNull(text) as? GroundTerm.Structure)?.kind != Kind.TOPIC
 
     fun send(text: String, options: SendOptions): SentCommand {
@@ -109,7 +109,7 @@ internal class Commands(
         graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
         val giveUp = if (rule.kind == Kind.ACTION) ({ giveUp(id, entry) }) else null
-        return SentCommand(outcome, eitherOf(message.left, outcome), giveUp)
+        return SentCommand(outcome, CompletableFuture.anyOf(message.left, outcome).handle { _, _ -> }, giveUp)
     }
 
     private fun ended(id: String, entry: Pending) {
@@ -117,7 +117,7 @@ internal class Commands(
         forgetFeedback(entry)
     }
 
-    /** Forgets the feedback of a goal that has ended. The agent may have begun the next goal already, whose feedback stays. */
+    /** Forgets the feedback of a goal that has ended. Feedback of the agent's next goal, which may have begun already, stays. */
     private fun forgetFeedback(entry: Pending) {
         if (progressing.remove(entry.rule, entry)) entry.rule.feedback?.let { progress(it, null) }
     }
@@ -126,14 +126,6 @@ internal class Commands(
 
     private fun refused(reason: String) =
         SentCommand(CompletableFuture.failedFuture<Answer>(ActionRefusedException(port, "$reason (port $port)")))
-
-    /** Completes without an error as soon as [left] or [outcome] has ended in any way. */
-    private fun eitherOf(left: CompletableFuture<*>, outcome: CompletableFuture<*>): CompletableFuture<Unit> {
-        val either = CompletableFuture<Unit>()
-        left.whenComplete { _, _ -> either.complete(Unit) }
-        outcome.whenComplete { _, _ -> either.complete(Unit) }
-        return either
-    }
 
     private fun limit(id: String, entry: Pending, limitMs: Int) {
         val ms = if (limitMs > 0) minOf(limitMs, entry.rule.withinMs) else entry.rule.withinMs

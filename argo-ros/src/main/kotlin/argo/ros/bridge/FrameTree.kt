@@ -16,7 +16,7 @@ import kotlinx.serialization.json.JsonPrimitive
 internal class FrameTree(private val wanted: List<Frames>, private val warn: (String) -> Unit) {
     private class Frame(val parent: String, val transform: Transform, val trueNanos: Long, val isStatic: Boolean)
 
-    /** The pose of a frame in another one. [json] is its message. The pose was true at [trueNanos], by the platform's clock. */
+    /** The pose of one frame in another. [json] is its message. The pose was true at [trueNanos], by the platform's clock. */
     class Pose(val json: JsonObject, val trueNanos: Long)
 
     private val frames = HashMap<String, Frame>()
@@ -26,7 +26,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     /**
      * Takes the transforms in [message], which came at [nowNanos].
      *
-     * @param trueAt returns the time at which a message with a robot's time stamp was true, by the platform's clock
+     * @param trueAt returns the time at which a message with this time stamp of the robot was true, by the platform's clock
      */
     fun add(message: JsonObject, isStatic: Boolean, nowNanos: Long, trueAt: (stampNanos: Long?) -> Long) {
         if (wanted.isEmpty()) return
@@ -45,7 +45,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         }
     }
 
-    /** Returns the pose of the child of [of] in the parent; null: the two are not connected. */
+    /** Returns the pose of the child of [of] in the parent; null: the two frames are not connected. */
     fun pose(of: Frames, nowNanos: Long): Pose? {
         val (up, down) = wayFrom(of.child) to wayFrom(of.parent)
         if (topOf(of.child, up) != topOf(of.parent, down)) {
@@ -62,10 +62,13 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         if (told.add(of)) warn("frames ${of.parent} and ${of.child} are not connected; ${known()}")
     }
 
-    /** Warns of frames that are not connected, however short the time. */
+    /** Warns of frames that are not connected, however short they have been so. */
     fun explain() = wanted.filter { pose(it, begunNanos ?: 0) == null }.forEach(::tellApart)
 
-    /** Returns the frames from [name] upwards, without the topmost. If nodes have published a circle, stops after one round. */
+    /**
+     * Returns the frames from [name] upwards, without the topmost frame. If nodes have published transforms in a circle, stops after one
+     * round.
+     */
     private fun wayFrom(name: String): List<Frame> {
         val seen = HashSet<String>()
         return generateSequence(frames[name]) { frame -> frames[frame.parent]?.takeIf { seen.add(frame.parent) } }.toList()
@@ -89,9 +92,9 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     }
 }
 
-/** A rotation by the unit quaternion [q], with x, y, z and w, and then a move by [move]. */
+/** A rotation by the unit quaternion [q], with x, y, z and w, followed by a move by [move]. */
 internal class Transform private constructor(private val move: List<Double>, private val q: List<Double>) {
-    /** Returns the transform that does [inner] first. */
+    /** Returns the transform that first does [inner] and then this one. */
     operator fun times(inner: Transform) = Transform(sum(move, rotated(inner.move)), product(q, inner.q))
 
     fun inverse(): Transform {
@@ -118,7 +121,7 @@ internal class Transform private constructor(private val move: List<Double>, pri
         private const val W = 3
         val NONE = Transform(listOf(0.0, 0.0, 0.0), listOf(0.0, 0.0, 0.0, 1.0))
 
-        /** Reads a `geometry_msgs/Transform`; null: it is none. */
+        /** Reads a `geometry_msgs/Transform`; null: [message] is none. */
         fun of(message: JsonObject): Transform? {
             val move = numbers(message.part("translation"), AXES.take(W)) ?: return null
             val rotation = numbers(message.part("rotation"), AXES) ?: return null

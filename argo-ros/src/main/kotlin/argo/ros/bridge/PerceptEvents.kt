@@ -4,17 +4,17 @@ package argo.ros.bridge
 internal class Percept(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
 
 /**
- * Percepts of which each is an event, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost, and [warn] takes their number,
+ * Percepts that are each an event, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost, and [warn] takes their number,
  * ever more seldom. Not safe for use by several threads at once.
  */
 internal class PerceptEvents(private val warn: (String) -> Unit) {
     private val waiting = ArrayDeque<Percept>()
-    private var last: String? = null // the event in the message before; null: it had none
+    private var last: String? = null // the event in the message before; null: that message had no event
     private var lost = 0L
 
     val isEmpty: Boolean get() = waiting.isEmpty()
 
-    /** True if the next message differs by its event from the one before. */
+    /** True if the next message has another event than the message before. */
     val isNew: Boolean get() = waiting.isNotEmpty() || last != null
 
     fun add(percept: Percept) {
@@ -24,7 +24,7 @@ internal class PerceptEvents(private val warn: (String) -> Unit) {
         if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
     }
 
-    /** Takes the next event; null: none. Between two equal events one call returns null, so that both events count. */
+    /** Takes the next event; null: there is none. Between two equal events one call returns null, so that both events count. */
     fun next(): Percept? {
         val next = waiting.firstOrNull()?.takeIf { it.text != last }
         last = next?.text

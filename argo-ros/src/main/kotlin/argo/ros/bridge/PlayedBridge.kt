@@ -23,17 +23,12 @@ internal class PlayedBridge(
     worker: Executor = Executor(Runnable::run),
     private val heard: (name: String, message: String) -> Unit,
 ) : Bridge {
-    private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, ::tell) }
+    private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, listener::told) }
     private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
     private val outbox = Outbox { text ->
         answer(checkNotNull(operationIn(text)))
         CompletableFuture.completedFuture(Unit)
-    }
-
-    override fun send(message: Outgoing) {
-        outbox.add(message)
-        outbox.flush()
     }
 
     override fun queue(message: Outgoing) = outbox.add(message)
@@ -42,7 +37,7 @@ internal class PlayedBridge(
 
     override fun ping() = listener.isAlive()
 
-    /** Has [service], or an action of this name, answer [response] from now on. */
+    /** Makes [service], or an action of this name, answer [response] from now on. */
     fun respond(service: String, response: JsonObject) {
         responses[service] = response
     }
@@ -55,8 +50,6 @@ internal class PlayedBridge(
     }
 
     private fun isSubscribed(topic: String) = topic in subscribed
-
-    private fun tell(sentence: String) = listener.text(operation("status", "level" to "warning", "msg" to sentence))
 
     fun end() = listener.gone("the bridge has closed the connection")
 

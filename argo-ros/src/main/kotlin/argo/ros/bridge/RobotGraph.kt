@@ -74,7 +74,8 @@ internal class RobotGraph(
 
     /**
      * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
+     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 this is only probable, so this function only
+     * warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -87,8 +88,8 @@ internal class RobotGraph(
     }
 
     /**
-     * Looks for subscribers of the rule's topic. The bridge publishes on the topic. If `rosapi` still does not show the topic, it is hidden
-     * and nothing is known about it.
+     * Looks for subscribers of the rule's topic. The bridge itself publishes on the topic. So if `rosapi` still does not show the topic,
+     * the topic is hidden and nothing is known about it.
      */
     private fun lookForSubscribers(rule: CommandRule) {
         compareType(rule.target, rule.type).thenCompose { type ->

@@ -79,13 +79,13 @@ internal class RobotTime(
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
-        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot uses this clock
+        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot uses a simulator's clock
     }
 
     /**
      * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The message came at [nowNanos],
-     * which is the latest result. A stamp older than [MAX_AGE_NANOS] or far ahead comes from another clock, and has the same result. Null
-     * as [stampNanos]: the message has no stamp.
+     * which is the latest result. For a stamp older than [MAX_AGE_NANOS] or far ahead, which comes from another clock, the result is also
+     * [nowNanos]. Null as [stampNanos]: the message has no stamp.
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos
@@ -116,7 +116,7 @@ internal class RobotTime(
         /** The greatest credible age of a message, in ns. */
         val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
 
-        /** A stamp may be this far ahead, since reading a clock has an error. */
+        /** A stamp may be this far ahead, since clocks are read with an error. */
         private val AHEAD_NANOS = TimeUnit.SECONDS.toNanos(1)
         private const val FIRST_ANSWERS = 4
         private val FIRST_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(50)

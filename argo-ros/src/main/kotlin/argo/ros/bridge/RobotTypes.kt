@@ -13,6 +13,7 @@ import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Place
 import argo.ros.mapping.Scope
 import argo.ros.mapping.Unfit
+import argo.ros.mapping.UsualType
 import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.fields
@@ -52,7 +53,7 @@ internal class RobotTypes(
 
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    /** Returns the fields of [message], the answer to a command of [rule]. */
+    /** Returns the fields of [message], which is the answer to a command of [rule]. */
     fun scopeOfAnswer(rule: CommandRule, message: JsonObject): Scope {
         val type = known[questionForAnswer(rule)] ?: return MessageScope(message)
         return MessageScope(message, type.bytesAmong(rule.answer?.fields().orEmpty()), type.constants)
@@ -110,7 +111,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the searched paths are listed
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the bridge lists the searched paths
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -128,8 +129,9 @@ internal class RobotTypes(
             mapping.commands.none { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so that no answer of this type comes: $reason")
             else -> {
-                val hint = if (question.service == MESSAGE) "; is it a service or an action? Then that word stands before its name" else ""
-                warn("the bridge does not know the type $name, so that no command with it leaves$hint: $reason")
+                val isDoubtful = question.service == MESSAGE && UsualType.of(name) == null
+                val hint = if (isDoubtful) "; is it a service or an action? Then that word stands before its name" else ""
+                warn("the bridge does not know the type $name, so that no command with it leaves: $reason$hint")
             }
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason
@@ -149,7 +151,7 @@ internal class RobotTypes(
         return (inRead + inCommands + inLiterals).distinct()
     }
 
-    /** Tells fields that commands leave empty, and robots need. */
+    /** Reports fields that commands leave empty although robots need them. */
     private fun tellEmpty() = mapping.commands.forEach { rule ->
         of(rule)?.emptyAmong(rule.fields.map { it.steps }).orEmpty().forEach { warn("${mapping.source}: line ${rule.place.line}: $it") }
     }

@@ -43,7 +43,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return call
     }
 
-    /** Handles a message of the bridge that came at [nowNanos]; returns false if it is no answer to a call of this object. */
+    /** Handles a message of the bridge that came at [nowNanos]; returns false if it answers no call of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
         val call = calls[id] ?: return true // the call's time is over, or the link is closed

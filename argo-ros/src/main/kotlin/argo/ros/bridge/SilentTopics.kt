@@ -17,8 +17,8 @@ internal class SilentTopics {
     }
 
     /**
-     * Returns the topics that have been silent for [LIMIT_NANOS] at [nowNanos]. A silent topic comes again after that time, since its type
-     * may have changed.
+     * Returns the topics that have been silent for [LIMIT_NANOS] at [nowNanos]. A topic that stays silent is returned again after the same
+     * time, since its type may have changed.
      */
     fun next(nowNanos: Long): List<String> = dueNanos.filterValues { nowNanos - it > 0 }.keys.toList()
         .onEach { dueNanos[it] = nowNanos + LIMIT_NANOS }

@@ -29,8 +29,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * Adds a sample at the time at which the clock went on. In a silence that ends with [simNanos] at [atNanos], the clock is taken to have
-     * stood, and then to have run at its previous speed.
+     * Adds a sample for the time at which the simulator's clock went on. If a silence ends with [simNanos] at [atNanos], assumes that the
+     * clock first stood and then ran at its previous speed.
      */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
@@ -45,8 +45,9 @@ internal class SimulatedClock {
     }
 
     /**
-     * Returns the last time of the platform's clock at which the simulator showed [stampNanos], as known at [nowNanos]. The result is after
-     * [nowNanos] if the simulator has yet to show that time, but [nowNanos] if its clock stands. Null: it has shown no time.
+     * Returns the last time of the platform's clock at which the simulator showed [stampNanos], as known at [nowNanos]. The result is in
+     * the future if the simulator has yet to show that time; but it is [nowNanos] if its clock stands. Null: the simulator has shown no
+     * time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {

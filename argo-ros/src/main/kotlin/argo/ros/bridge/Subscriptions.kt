@@ -14,8 +14,8 @@ import argo.ros.mapping.asTerm
 
 /**
  * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
- * [queueLength] messages for that time. With 1, no message waits behind another, and skipped messages cost no time here. With 0 and no
- * least time, the bridge sends each message at once.
+ * [queueLength] messages for that time. With 1, no message waits behind another one, and messages that are left out cost no time here. With
+ * 0 and no least time, the bridge sends each message at once.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
@@ -60,7 +60,7 @@ private fun isFor(rule: Rule, percept: Expression.Compound) = rule.predicate == 
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
-/** Returns true if [condition] holds for all percepts of the form [percept], false if for none, null if for some. */
+/** Returns true if [condition] holds for all percepts of the form [percept], false if it holds for none, null if it holds for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
     if (Expression.AllFields in percept.arguments) return null

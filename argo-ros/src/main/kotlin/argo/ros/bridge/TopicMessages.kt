@@ -13,10 +13,10 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and the percepts of all. Not safe for use by several threads at once.
+ * The newest message of each topic, and the percepts of all these messages. Not safe for use by several threads at once.
  *
  * @param typeOf returns the type of a rule's messages; null: the type is not known
- * @param warn takes, once each, the reasons why a message gives no percept of a rule whose conditions may hold
+ * @param warn takes the reasons why a message gives no percept of a rule whose conditions may hold, each reason once
  */
 internal class TopicMessages(
     private val rules: List<PerceptRule>,
@@ -37,8 +37,8 @@ internal class TopicMessages(
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
-    private var isNewSoon = false // whether there is something new that waits for the interval
-    private var takenNanos: Long? = null // null: nothing was taken yet
+    private var isNewSoon = false // whether there is news that waits for the end of the interval
+    private var takenNanos: Long? = null // null: nothing has been taken yet
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
     /** Adds a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
@@ -104,7 +104,7 @@ internal class TopicMessages(
         return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
     }
 
-    /** Returns the percept of [rule] that holds at [nowNanos]; null: none does, or each is an event. */
+    /** Returns the percept of [rule] that holds at [nowNanos]; null: no percept holds, or each percept is an event. */
     private fun heldBy(rule: PerceptRule, nowNanos: Long): Percept? {
         if (rule.isOfEach) return null
         val percept = if (rule.needsEach) lasting[rule] else newest[rule.topic]?.let { message ->

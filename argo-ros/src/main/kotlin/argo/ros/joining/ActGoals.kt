@@ -70,7 +70,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     )
 
     private companion object {
-        /** The number of goals whose states are kept. A repeated goal is recognised if fewer others came in between. */
+        /** The number of goals whose states are kept. A repeated goal is recognised if fewer other goals came in between. */
         const val KEPT = 50
 
         // actionlib_msgs/GoalStatus

@@ -8,8 +8,8 @@ import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. A command from the graph takes the
- * way of `argo.act`. [warn] takes reports of percepts that are not published, each text once.
+ * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. Sends a command from the graph as
+ * `argo.act` does. [warn] takes reports of percepts that are not published, each text once.
  */
 internal class AgentRos(
     private val agent: ObservedAgent,
@@ -30,7 +30,7 @@ internal class AgentRos(
         synchronized(this) {
             val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
             val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics, warn)) }
-            if (board.publishedNanos == message.receivedNanos) return // published already; the filter let more of it through
+            if (board.publishedNanos == message.receivedNanos) return // published already, before the filter let more of it through
             board.publishedNanos = message.receivedNanos
             board.publisher.publish(message.texts)
         }

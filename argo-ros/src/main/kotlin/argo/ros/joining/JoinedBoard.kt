@@ -108,7 +108,7 @@ internal class JoinedBoard(
         try {
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
-            // the sensing thread finds out that the board has gone
+            // the sensing thread notices that the board has gone
         } catch (unforeseen: Throwable) { // otherwise the thread that sends commands would end
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()

@@ -25,7 +25,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * it.
  *
  * @param tell takes a line about the connection, for the user
- * @param warn takes reports of things that the graph is not told or does not accept, each text once
+ * @param warn takes reports of things that the graph does not learn or does not accept, each text once
  */
 internal class Membership(
     private val participant: Participant,

@@ -7,7 +7,7 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Sends the newest messages of [topics] to a bridge in rounds. A round begins only when the bridge has read the previous one, which its
+ * Sends the newest messages of [topics] to a bridge in rounds. A round begins only when the bridge has read the previous round, as its
  * answer to a ping shows. For one thread; only [answered] may be called by another thread.
  */
 internal class MessageRounds(private val topics: Topics, private val clock: LineClock, private val isNew: () -> Unit) {
@@ -34,7 +34,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
 
     private fun send(bridge: Bridge, messages: List<Outgoing>) {
         if (messages.isEmpty()) return bridge.ping()
-        messages.last().left.whenComplete { _, _ -> bridge.ping() } // after this, the ping goes out behind all messages
+        messages.last().left.whenComplete { _, _ -> bridge.ping() } // now the ping goes out behind all messages
         messages.forEach(bridge::queue)
         bridge.flush()
     }

@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger
 /**
  * A participant's services, topics and action on one connection to a bridge, through which the graph sends it commands. Each action of the
  * participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may call [hear],
- * another one [renew]. [warn] takes reports of actions that the graph is not told, each text once.
+ * another one [renew]. [warn] takes reports of actions that the graph does not learn, each text once.
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action the action's name; null: any command, as text */
@@ -153,7 +153,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Has the newest command of a topic replace its waiting commands. */
+        /** Makes the newest command of a topic replace its waiting commands. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

@@ -1,6 +1,6 @@
 package argo.ros.mapping
 
-/** An expression whose value is [Value.TRUE] or [Value.FALSE], or [Value.None] if values that decide are missing or do not fit. */
+/** An expression whose value is [Value.TRUE] or [Value.FALSE], or [Value.None] if values that would decide are missing or do not fit. */
 internal sealed interface Condition : Expression {
     data class Comparison(val left: Expression, val operator: String, val right: Expression) : Condition {
         override val parts get() = listOf(left, right)
@@ -51,7 +51,7 @@ internal sealed interface Condition : Expression {
         }
     }
 
-    /** Several conditions. A single one with the value [decisive] decides: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
+    /** Several conditions. One condition with the value [decisive] decides: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
     data class Several(val decisive: Value, val operands: List<Expression>) : Condition {
         override val parts get() = operands
 

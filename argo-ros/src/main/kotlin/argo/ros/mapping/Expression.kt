@@ -7,10 +7,10 @@ internal sealed interface Expression {
     /** The expressions within this expression. */
     val parts: List<Expression> get() = emptyList()
 
-    /** Returns the value; [Value.None] if a field has none, or if it does not suit the calculation. */
+    /** Returns the value; [Value.None] if a field has no value, or a value that does not suit the calculation. */
     fun valueIn(scope: Scope): Value
 
-    /** A constant. [isQuoted] tells an atom in quotes from one without. */
+    /** A constant. [isQuoted] tells whether the atom is in quotes. */
     data class Constant(val value: Value, val isQuoted: Boolean = false) : Expression {
         override fun valueIn(scope: Scope) = value
     }
@@ -20,7 +20,7 @@ internal sealed interface Expression {
         override fun valueIn(scope: Scope) = scope.valueOf(path)
     }
 
-    /** All fields of a message but its header, as the arguments of a percept, each a literal with the field's name and value. */
+    /** All fields of a message except its header, as the arguments of a percept. Each is a literal with the field's name and value. */
     data object AllFields : Expression {
         override fun valueIn(scope: Scope): Value {
             val message = (scope.valueOf(emptyList()) as Value.Part).json as JsonObject
@@ -59,7 +59,7 @@ internal sealed interface Expression {
         }
     }
 
-    /** A literal. [place] is that of a literal without quotes within others, which a field or function may have been meant for. */
+    /** A literal. [place] is the place of a literal without quotes within other literals, which may be meant as a field or a function. */
     data class Compound(val functor: String, val arguments: List<Expression>, val place: Place? = null) : Expression {
         override val parts get() = arguments
 
@@ -77,7 +77,7 @@ internal sealed interface Expression {
     }
 }
 
-/** Returns the literals without quotes within this. */
+/** Returns the literals without quotes within this expression. */
 internal fun Expression.literals(): List<Expression.Compound> =
     listOfNotNull((this as? Expression.Compound)?.takeIf { it.place != null }) + parts.flatMap { it.literals() }
 

@@ -118,7 +118,7 @@ internal class ExpressionReader(
         return Value.Number(number)
     }
 
-    /** Returns what [quoted] stands for: a backslash stands in front of a quote or another backslash. */
+    /** Returns the text that [quoted] means: in it a backslash stands before a quote or another backslash. */
     private fun unescaped(quoted: String, place: Place): String = ESCAPE.replace(quoted.substring(1, quoted.length - 1)) { escape ->
         escape.groupValues[1].takeIf { it == "\"" || it == "\\" }
             ?: throw Refusal(place, "behind \\ in a string there is \" or \\, and not '${escape.groupValues[1]}'")

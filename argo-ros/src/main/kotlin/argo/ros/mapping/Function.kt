@@ -47,7 +47,7 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
 private const val A_NUMBER = "a number"
 private const val NUMBERS = "a list with numbers, or several numbers"
 
-/** Words near a shorter name are not taken for slips of it: `pos` may be no `cos`. */
+/** Words that are nearly a shorter name are not taken for slips of it: `pos` may be no `cos`. */
 private const val SHORTEST_SLIP = 4
 
 private fun ofNumber(work: (Double) -> Double): (List<Value>) -> Value? = { it.singleOrNull()?.number()?.let(work)?.let(Value::of) }
@@ -71,7 +71,7 @@ private fun yawOf(quaternion: Value): Value? {
 /** Returns the heading of a unit quaternion in rad, counter-clockwise from the x axis. */
 internal fun headingOf(x: Double, y: Double, z: Double, w: Double): Double = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
-/** Returns true if [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
+/** Returns true if [one] is [other] with two letters exchanged, or with one letter wrong, missing or too many. */
 internal fun isNear(one: String, other: String): Boolean {
     if (other.length <= 2 || Math.abs(one.length - other.length) > 1) return false
     val same = one.commonPrefixWith(other).length

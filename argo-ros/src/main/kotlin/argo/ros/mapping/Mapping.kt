@@ -35,10 +35,10 @@ internal data class Place(val line: Int, val column: Int)
  *
  * @property type the type of the topic's messages, as written
  * @property percept the literal, with fields of the message as arguments
- * @property condition a message gives the percept if this holds; null: always
+ * @property condition a message gives the percept if this condition holds; null: each message does
  * @property forMs the time in ms for which the percept holds; null: until the next message
- * @property frames the frames whose pose the percept is about; null: it is about a topic. For a pose [topic] is only a name
- * @property isOfEach whether each message is an event of its own, of which none is left out; else the newest message counts
+ * @property frames the frames for a rule about a pose; null: the rule is about a topic. In a rule about a pose, [topic] is only a name
+ * @property isOfEach whether each message is a separate event, so that none is left out; otherwise only the newest message counts
  */
 internal class PerceptRule(
     val place: Place,
@@ -50,11 +50,14 @@ internal class PerceptRule(
     val isOfEach: Boolean = false,
     val frames: Frames? = null,
 ) {
-    /** The percept without its values, by which an agent tells it from others; null: it has no values. */
+    /** The percept without its values, by which an agent distinguishes it from others; null: it has no values. */
     val shape: List<Any?>?
         get() = percept.arguments.map { (it as? Expression.Constant)?.value }.takeIf { null in it }?.plus(percept.functor)
 
-    /** True if no message may be skipped: a message that meets the condition counts even if the next message soon does not. */
+    /**
+     * True if no message may be skipped: a message that meets the condition counts even if the next message, soon after it, does not meet
+     * it.
+     */
     val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
 }
 

@@ -15,7 +15,7 @@ internal class Unfit(message: String) : Exception(message)
  * The type of a field.
  *
  * @property name a type of ROS 1 or of ROS 2: `float64`, `double`, `geometry_msgs/Vector3`
- * @property length the number of items of a list, [ANY] if it is open; [SINGLE] if the field is no list
+ * @property length the number of items of a list, [ANY] if the number is open; [SINGLE] if the field is no list
  */
 internal data class FieldType(val name: String, val length: Int) {
     /** True if bridges write the field as text in base64. */
@@ -43,7 +43,7 @@ internal class MessageType private constructor(
     val constants: Map<String, JsonElement>,
 ) {
     /**
-     * Returns the type of the field at [path]; null: it is in a type that is not described, or [path] names a constant.
+     * Returns the type of the field at [path]; null: the type that contains the field is not described, or [path] names a constant.
      *
      * @throws Unfit if there is no such field
      */
@@ -82,7 +82,10 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /** Returns the beginning of [path] that leads to bytes, which a message has as text; null: there is none, or no such field. */
+    /**
+     * Returns the beginning of [path] that leads to bytes, which a message has as text; null: there are no bytes on [path], or no such
+     * field.
+     */
     private fun bytesIn(path: Path): Path? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
@@ -201,7 +204,7 @@ internal class MessageType private constructor(
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
             val own = types.find { it.first == rosType(name) } ?: types.firstOrNull() ?: return null
-            val ownLast = definitions.sortedBy { rosType(it.word("type").orEmpty()) == own.first } // so that its constants hide others
+            val ownLast = definitions.sortedBy { rosType(it.word("type").orEmpty()) == own.first } // last, so its constants hide others
             return MessageType(name, own.first, types.toMap(), ownLast.flatMap(::constantsOf).toMap())
         }
 

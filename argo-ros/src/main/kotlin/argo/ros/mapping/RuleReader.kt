@@ -55,8 +55,8 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = cond
 private val NO_PERCEPT = Value.Text("")
 
 /**
- * Refuses names that were meant as fields: atoms without quotes behind the first field, unlike `f` in `dist(f, range)`, and functors with a
- * field's name.
+ * Refuses names that seem to be meant as fields: atoms without quotes behind the first field, unlike `f` in `dist(f, range)`, and functors
+ * with a field's name.
  */
 private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")
@@ -68,7 +68,7 @@ private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String
     throw Refusal(at, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
 }
 
-/** Returns why a literal without quotes with the functor [name] is refused, which is a field of [type]. */
+/** Returns why a literal with the functor [name] and without quotes is refused: the functor is a field of [type]. */
 internal fun meantAsField(name: String, type: String) =
     "$name is a field of $type, and no literal; an item of a list is $name[0], and a literal would be written '$name'(…)"
 

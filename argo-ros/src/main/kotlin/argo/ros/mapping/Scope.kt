@@ -6,7 +6,7 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 
 internal fun interface Scope {
-    /** Returns the value at [path]; [Value.None] if there is none. */
+    /** Returns the value at [path]; [Value.None] if there is no value. */
     fun valueOf(path: Path): Value
 }
 

@@ -6,7 +6,7 @@ internal sealed interface Step {
         override fun toString() = ".$name"
     }
 
-    /** An item of a list, from 0; negative ones count from the end. */
+    /** An item of a list, from 0; negative numbers count from the end. */
     data class Item(val number: Int) : Step {
         fun indexIn(size: Int) = if (number < 0) size + number else number
 
@@ -14,7 +14,7 @@ internal sealed interface Step {
     }
 
     /**
-     * A sector of a list: the items from [from] on, up to the one before [to]; null: no limit on that side. Negative numbers count from the
+     * A sector of a list: the items from [from] up to the item before [to]; null: no limit on that side. Negative numbers count from the
      * end. A sector that ends before it begins goes on at the beginning of the list. Further steps of the path apply to each of its items.
      */
     data class Sector(val from: Int?, val to: Int?) : Step {

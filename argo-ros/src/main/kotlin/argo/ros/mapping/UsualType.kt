@@ -1,7 +1,8 @@
 package argo.ros.mapping
 
 /**
- * A message type with fields that ARGO knows. Rules on such a type have a short form, and all names but its fields are atoms.
+ * A message type with fields that ARGO knows. Rules for such a type have a short form, in which every name that is no field of the type is
+ * an atom.
  *
  * @property percept the default arguments of a percept
  * @property command the fields for a command's arguments, in their order; empty: there is no short form

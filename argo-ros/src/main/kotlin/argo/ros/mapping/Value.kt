@@ -29,7 +29,7 @@ internal sealed interface Value {
         val TRUE = Symbol("true")
         val FALSE = Symbol("false")
 
-        /** Returns the value of [number]; [None] if it is NaN or infinite, which a robot sends if it has not measured. */
+        /** Returns the value of [number]; [None] if it is NaN or infinite, as a robot sends it for a missing measurement. */
         fun of(number: Double): Value =
             if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
 
@@ -55,7 +55,7 @@ internal sealed interface Value {
 /** The longest list in an argument. Jason compares lists by recursion, and 2,000 items exhaust its stack. */
 internal const val MAX_ITEMS = 1_000
 
-/** From this number on, a double cannot hold every whole number; Jason's numbers are doubles. */
+/** From this number on, a double cannot hold every whole number, and Jason's numbers are doubles. */
 private const val EXACT = 9007199254740992.0
 
 /** Whole numbers up to this number are written without a fraction. No integer of ROS is larger. */
@@ -83,7 +83,7 @@ private fun listOf(array: JsonArray): Value {
 /** Returns [message] as the list of its fields, each a literal with the field's name and value. */
 private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
 
-/** Returns the list of [items], each as the argument of its functor, or alone if the functor is empty. */
+/** Returns the list of [items], each as the argument of its functor; an item with an empty functor stands alone. */
 private fun terms(items: List<Pair<JsonElement, String>>): Value {
     val terms = items.map { (item, functor) ->
         val value = Value.of(item)
@@ -98,7 +98,7 @@ private fun terms(items: List<Pair<JsonElement, String>>): Value {
     return Value.Symbol(terms.joinToString(",", "[", "]"))
 }
 
-/** Returns the field's [name] as a functor: in quotes if it is none by itself. */
+/** Returns the field's [name] as a functor, in quotes if needed. */
 private fun functorOf(name: String) = when {
     GroundTerm.ofOrNull("$name(0)") is GroundTerm.Structure -> name
     name.isEmpty() || name.any { it == '\'' || it == '\\' || it.isISOControl() } -> UNREADABLE
@@ -107,10 +107,10 @@ private fun functorOf(name: String) = when {
 
 private const val UNREADABLE = "\u0000"
 
-/** The length of the longest text in a list or a message, which are often unread; a text that a rule names may be longer. */
+/** The greatest length of a text in a list or a message, which are often unread; a text that a rule names may be longer. */
 private const val MAX_TEXT = 10_000
 
-/** The atom in place of an item or a field that is infinite or no number, so that the others keep their places. */
+/** The atom that replaces an item or a field that is infinite or no number, so that the others keep their places. */
 private val NOT_MEASURED = Value.Symbol("null")
 
 /** Returns this value's number, rounded to a double; null: it is no number. */

@@ -8,7 +8,7 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * The program's arguments: a file and options.
  *
- * @throws IllegalArgumentException if they are something else
+ * @throws IllegalArgumentException if the arguments are wrong
  */
 internal class ExploreArguments(arguments: List<String>) {
     val source: String = requireNotNull(arguments.firstOrNull()) { "name the file of an agent or of a system" }

@@ -101,7 +101,7 @@ internal class DescribeCommand : ToolCommand() {
     private fun message(link: Link) =
         (if (listens) link.listen(line.timeoutMs) else link.request(PerceptsRequest.ALL, line.timeoutMs)).text()
 
-    /** Writes the [kinds] to the file. Tells the file and the user where the kinds come from, and which are [missing]. */
+    /** Writes the [kinds] to the file. Writes, in the file and for the user, where the kinds come from, and why some are [missing]. */
     private fun write(origin: String, kinds: List<String>, missing: List<String>) {
         val notes = missing.map(::printable)
         val head = listOf("# Percepts of the board at $port, $origin") + notes.map { "# $it" }

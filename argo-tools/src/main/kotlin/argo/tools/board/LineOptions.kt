@@ -89,7 +89,7 @@ class LineOptions {
     companion object {
         /** The accepted rates, in bits a second. */
         val BAUDS = 1..20_000_000
-        private val OF_LINES = listOf("--baud", "--protocol", "--boot")
+        private val OF_LINES = listOf("--baud", "--protocol", "--boot", "--mode")
         private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
         private const val MAX_MS = 600_000
     }

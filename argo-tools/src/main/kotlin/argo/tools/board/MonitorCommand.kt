@@ -201,7 +201,7 @@ internal class MonitorCommand : DataCommand() {
         )
     }
 
-    /** The percept [text] and its problem, if any. [kinds] are those that the board describes; empty: it describes none. */
+    /** The percept [text] and its problem, if any. [kinds] are the kinds that the board describes; empty: it describes none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
         val whyUnbelieved = whyUnbelieved(text)

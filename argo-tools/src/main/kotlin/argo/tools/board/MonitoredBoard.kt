@@ -20,7 +20,7 @@ internal interface MonitoredBoard {
     /**
      * Returns the next message.
      *
-     * @throws PortTimeoutException if none comes in time
+     * @throws PortTimeoutException if no message comes in time
      */
     fun next(): String
 

@@ -24,7 +24,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     var isLost = false
         private set
 
-    /** Reads the message [first], and then those that [next] returns. Ends early if the port is lost or the thread interrupted. */
+    /** Reads the message [first], and then the messages that [next] returns. Ends early if the port is lost or the thread interrupted. */
     fun run(first: String, next: () -> String) {
         add(first)
         try {
@@ -79,6 +79,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     }
 }
 
-/** Returns a sentence that the kinds [own], such as `port/2`, are left out; null: there are none. */
+/** Returns a sentence that says that the kinds [own], such as `port/2`, are left out; null: there are none. */
 internal fun ownLeftOut(own: Collection<String>): String? =
     if (own.isEmpty()) null else "left out: ${own.distinct().joinToString()}, of beliefs of ARGO's own, which no board can claim"

@@ -46,7 +46,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
     }
 
-    /** Probes a board on no line. */
+    /** Probes a board that is on no line. */
     private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
         provider.open(name, true, LineClock.system()).use { link ->
             val description = if (describes) LinkDescription.of(link) else null

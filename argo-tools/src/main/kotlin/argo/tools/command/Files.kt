@@ -54,7 +54,10 @@ fun requireFile(file: Path) {
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")
 }
 
-/** Returns what [work] makes of all that [open] opens of [files], in their order, behind what is [opened]. Closes them. */
+/**
+ * Opens all of [files] by [open], in their order and after those that are already [opened]; returns what [work] returns for them. Closes
+ * them.
+ */
 fun <T : AutoCloseable, R> withAll(files: List<Path>, open: (Path) -> T, opened: List<T> = emptyList(), work: (List<T>) -> R): R =
     if (files.isEmpty()) work(opened) else open(files.first()).use { withAll(files.drop(1), open, opened + it, work) }
 

@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** Checks the groups of the user's present login. A change takes effect with the next login. */
+    /** Checks the groups of the user's present login. A change of the groups takes effect with the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null

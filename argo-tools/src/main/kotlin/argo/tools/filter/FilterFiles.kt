@@ -29,7 +29,7 @@ internal fun filterIn(file: Path): PerceptionFilter {
 }
 
 /**
- * Returns the files below [folder] that are filters, or meant to be, and the other XML and JSON files. The others contain neither
+ * Returns the files below [folder] that are filters, or are meant to be, and the other XML and JSON files. The others contain neither
  * `<PerceptionFilter` nor `"rules"`.
  */
 internal fun filtersIn(folder: Path): Pair<List<Path>, List<Path>> = sourcesIn(folder, MARKS.keys).partition { file ->

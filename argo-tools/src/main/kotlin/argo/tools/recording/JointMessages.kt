@@ -18,7 +18,7 @@ internal class JointMessages(private val readers: Map<Path, McapReader>) {
     /** A message with its file, and its time by the first recording's clock, in ns. */
     class Timed(val file: Path, val ns: Long, val message: McapMessage)
 
-    /** The time by which each recording's clock is ahead of the first one's; null: no messages of agents show that. */
+    /** The time by which each recording's clock is ahead of the first one's; null: no messages of agents show it. */
     val differences: Map<Path, ClockDifference?> by lazy { differencesOf(readers.keys.toList()) }
 
     /** The time of the first message, in ns; null: there is none. */

@@ -29,7 +29,7 @@ internal class RunningViews(private val port: Int) {
     fun agents(): List<String> = answer(request("agents")).second.getValue("agents").jsonArray.map { it.jsonPrimitive.content }
 
     /**
-     * Has [agent] read its program and filters anew.
+     * Makes [agent] read its program and filters anew.
      *
      * @throws ToolException if no live view responds
      */

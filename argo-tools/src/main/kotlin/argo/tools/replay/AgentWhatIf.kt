@@ -72,7 +72,7 @@ internal class AgentWhatIf(
 }
 
 /**
- * The result of [agent] with [what]: another program, another filter.
+ * The result of [agent] with [what], which is another program or another filter.
  *
  * @property now the number of commands in this run
  * @property problem the reason why the run could not be finished, in words; null: it was finished

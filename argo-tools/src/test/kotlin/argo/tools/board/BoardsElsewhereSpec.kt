@@ -65,6 +65,12 @@ class BoardsElsewhereSpec : FunSpec({
         said.out shouldContain "said(4)"
         said.out shouldContain "the board speaks elsewhere"
     }
+    test("monitor refuses a mode, since a board that is on no line is never asked") {
+        argo("monitor", "elsewhere:robot", "--count", "1", "--mode", "request").let {
+            it.status shouldBe 2
+            it.err shouldContain "--mode is an option of lines, and elsewhere:robot is on none"
+        }
+    }
     test("send tells the answer, and why a command fails") {
         argo("send", "elsewhere:robot", "stop") shouldBe Output(0, "done\n", "")
         argo("send", "elsewhere:robot", "add(1,2)") shouldBe Output(0, "done; the answer is [sum(3)]\n", "")

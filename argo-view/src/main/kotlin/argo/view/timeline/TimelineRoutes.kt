@@ -40,7 +40,7 @@ internal class TimelineRoutes(
         return HttpResponse.json(timeline.between(from, until, most))
     }
 
-    /** Responds with an item and its links: the item `id`, or the one before or after it. */
+    /** Responds with an item and its links: the item `id`, or the item before or after it. */
     private fun item(parameters: Map<String, String>): HttpResponse {
         val command = parameters["command"]?.toLongOrNull()
         val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)

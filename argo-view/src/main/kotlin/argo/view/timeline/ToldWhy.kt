@@ -9,8 +9,8 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others, which would block
- * threads that respond to pages. Any thread may ask.
+ * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others, since they would
+ * block threads that respond to pages. Any thread may ask.
  *
  * @param reading calls its argument with the files of the agents' recordings; returns null if there is none
  */
