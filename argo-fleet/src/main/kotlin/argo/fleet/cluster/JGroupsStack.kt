@@ -23,7 +23,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     transport(settings.bind, sockets),
     discovery(settings),
     merging(settings.hosts.size),
-    failures(),
+    failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
     VERIFY_SUSPECT2().apply { setTimeout(VERIFYING) },
     // these three carry the views to all computers, but not this project's messages: see GroupCluster
@@ -93,13 +93,18 @@ private fun merging(hosts: Int) = MERGE3().apply {
     setMinInterval(longest / 2)
 }
 
-/** Sends a sign of life to each computer about once a second. A computer without a sign in two rounds is suspected, within three rounds. */
-private fun failures() = FD_ALL3().apply {
-    setInterval(SIGN_OF_LIFE)
-    setTimeout(2 * SIGN_OF_LIFE)
+/**
+ * Sends a sign of life to each computer about once a second, with more than ten hosts less often: so no more than with ten.
+ * A computer without a sign in two rounds is suspected, within three rounds.
+ */
+private fun failures(hosts: Int) = FD_ALL3().apply {
+    val round = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
+    setInterval(round)
+    setTimeout(2 * round)
 }
 
 private const val SIGN_OF_LIFE = 800L
+private const val SIGN_OF_LIFE_FOR_EACH = 80L
 private const val VERIFYING = 200L
 private const val JOINING = 1000L
 private const val VIEW_ACKNOWLEDGEMENTS = 500L
