@@ -251,7 +251,7 @@ static bool is_capable(void)
     return kind && strcmp(kind, "dumb") != 0;
 }
 
-/* Has the terminal hand over each key at once without showing it. Ctrl-C is still a signal. */
+/* Makes the terminal hand over each key at once without showing it. Ctrl-C is still a signal. */
 static bool take_keys(struct termios *before)
 {
     struct termios keys;

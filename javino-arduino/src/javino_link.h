@@ -137,8 +137,8 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 void javino_link_finish(javino_link *link, bool done);
 
 /**
- * Ends the command in hand without an outcome; javino_link_done must follow. Until then no other command of version 2 is carried out;
- * requests are answered.
+ * Ends the command in hand without an outcome; javino_link_done must follow. Until its outcome is reported, no other command of version 2
+ * is carried out; requests are answered.
  *
  * @return the value for javino_link_done; 0: version 1, or no command is in hand
  */

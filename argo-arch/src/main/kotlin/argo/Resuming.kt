@@ -51,7 +51,7 @@ internal class Resuming(
     private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // the first state is kept at once
 
     @Volatile
-    private var isResumed = false // until then the file holds the state of the last run
+    private var isResumed = false // while false, the file holds the state of the last run
 
     private val ending = ReentrantLock() // held while a thread other than the agent's makes the last state
 

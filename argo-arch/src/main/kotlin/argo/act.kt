@@ -18,9 +18,9 @@ import jason.asSyntax.Term
  *
  * `argo.act(W, Options)` takes a list of
  * - `port(P)`: the command goes to the board on P, an open port of the agent, perceived or not
- * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. If the command has not begun to go out by then, it is
- *   withdrawn, never sent, and fails with `error(act_timeout)`. If the command has begun, it fails with `error(act_unconfirmed)`: the board
- *   may carry it out
+ * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. If the command has not begun to go out when this time
+ *   is over, it is withdrawn, never sent, and fails with `error(act_timeout)`. If the command has begun, it fails with
+ *   `error(act_unconfirmed)`: the board may carry it out
  * - `urgent`: the command overtakes waiting ones that are not urgent. An urgent command never interrupts a command on the line; with a
  *   board of version 2 it also waits for that command's outcome
  * - `latest`: the command replaces all commands of its functor that have not begun to go out, whatever their arguments. Replaced commands

@@ -110,7 +110,7 @@ public final class FrameDecoder {
 
     /**
      * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE}: silence
-     * changes nothing. A thread that waits for bytes must wake at that time and call {@code idle}.
+     * changes nothing. A thread that waits for bytes must wake after this silence and call {@code idle}.
      */
     public long nanosUntilIdle(long nowNanos) {
         return isReading() ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;

@@ -144,7 +144,9 @@ internal class AgentBoards(
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
         val tellLost = { count: Long ->
-            if (count.countOneBits() == 1) log.warning("the agent is too slow for the events of port ${board.term}: $count are lost")
+            if (count.countOneBits() == 1) {
+                log.warning("the agent is too slow for the events of port ${board.term}: $count are lost; make its plans for them shorter")
+            }
         }
         return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             if (!isStanding) late.report("late") {

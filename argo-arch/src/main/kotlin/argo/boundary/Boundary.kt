@@ -11,8 +11,8 @@ import jason.asSyntax.Term
 
 /**
  * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here once in a cycle, and stays the
- * same within the cycle. [Live] hands inputs on. A recorder also notes them. A replay passes recorded inputs in their place. The agent's
- * thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
+ * same within the cycle. [Live] hands inputs on. A recorder also notes them. In a replay, recorded inputs replace the live ones. The
+ * agent's thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
  */
 interface Boundary {
     /**

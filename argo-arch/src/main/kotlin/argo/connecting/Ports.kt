@@ -17,8 +17,9 @@ import kotlin.concurrent.withLock
  * The ports that one agent holds open, and the ports in use.
  *
  * Links stay open until [closeAll], since opening a port resets most boards. When the device of a lost port returns, the port is opened
- * again with its options; until then every call on it fails. Opening and closing may block. So a sequential executor does them for the
- * agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by several threads.
+ * again with its options; while the device is missing, every call on the port fails. Opening and closing may block. So a sequential
+ * executor does them for the agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by
+ * several threads.
  *
  * @param owner the agent's name, for the message to a second agent on a port
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]

@@ -26,7 +26,7 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
     val plans = ExchangedPlans(before, program.plans) { it.sourceFile in files }
     val shortened = program.without(plans.kept)
     val (read, beliefs) = readParts(shortened.files)
-    check(read.size == program.plans.size - shortened.without.size) { "Jason reads other plans from parts of the program than from all" }
+    check(read.size == program.plans.size - shortened.without.size) { "Jason reads other plans from parts than from the whole; restart it" }
     read.fileless(order.files.first().address, ag.aslSrc)
     val now = plans.now(shortened.without, read)
     try {

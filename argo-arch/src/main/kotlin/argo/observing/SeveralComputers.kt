@@ -1,6 +1,9 @@
 package argo.observing
 
-/** An agent's infrastructure, the last of its architectures, whose agents are on several computers. Any thread may use it. */
+/**
+ * The infrastructure of a system with agents on several computers, seen from one agent: the last of its architectures. Any thread may use
+ * it.
+ */
 interface SeveralComputers {
     /** The computers as far as this one knows, in the order of their names. */
     val computers: List<ObservedComputer>

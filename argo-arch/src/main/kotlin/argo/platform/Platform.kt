@@ -30,7 +30,7 @@ interface Platform {
     /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /** Does [action] in [delayMs] ms of [clock], unless everything has ended by then. [action] must not wait. Its exceptions are logged. */
+    /** Does [action] in [delayMs] ms of [clock], unless all has ended meanwhile. [action] must not wait. Its exceptions are logged. */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**

@@ -13,7 +13,9 @@ internal class LinearPattern(pattern: String) {
 
     init {
         require(pattern.length <= MAX_LENGTH) { "the pattern is ${pattern.length} characters long; at most $MAX_LENGTH are expected" }
-        require(repetitions(pattern) <= MAX_REPETITIONS) { "the counts in '$pattern' repeat more than $MAX_REPETITIONS times together" }
+        require(repetitions(pattern) <= MAX_REPETITIONS) {
+            "the counts in '$pattern' repeat more than $MAX_REPETITIONS times together; use smaller counts"
+        }
         compiled = try {
             Pattern.compile(pattern, Pattern.DOTALL)
         } catch (e: PatternSyntaxException) {

@@ -13,8 +13,8 @@ package argo.filters
  * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
  * @property argument the position of the number that is smoothed, counted from 0
  * @property maxRate the most by which the number can change in a second; null: there is no limit. A percept whose number differs more from
- * that of the last credible percept is not credible. After three such percepts in a row, of which each can follow the one before, the third
- * is credible again
+ * that of the last credible percept is not credible. After three percepts in a row that are not credible, and of which each can follow the
+ * one before, the third is credible again
  * @property outliers describes which percepts are not credible since they are far from most others; null: none
  * @property median the odd number of last credible percepts; the middle one of them is selected; null: the newest is selected. While there
  * are fewer percepts, the middle one of those is selected; of two, the newer one
@@ -72,7 +72,7 @@ data class SmoothingRule(
  * least one unit of the percept's last digit. None of the first two percepts of a sensor is an outlier.
  *
  * @property deviations the greatest distance from the median, in deviations
- * @property among the odd number of last percepts for the median
+ * @property among number of last percepts for the median; it is odd
  * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
  * [SmoothingRule.MAX_WINDOW]
  */

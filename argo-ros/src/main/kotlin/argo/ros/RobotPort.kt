@@ -15,7 +15,7 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import java.util.concurrent.ForkJoinPool
 
-/** A robot, or a bag in its place, by the name of a port. [mapping] is the name of its mapping. */
+/** A robot, or a bag that replaces it, by the name of a port. [mapping] is the name of its mapping. */
 internal class RobotPort private constructor(val mapping: String, val connect: (BridgeListener, LineClock) -> Bridge) {
     companion object {
         private val BAG = Regex("replay:(.+\\.mcap)(?:#(.*))?")

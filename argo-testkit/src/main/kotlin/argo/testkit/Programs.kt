@@ -12,10 +12,13 @@ import kotlin.io.path.writeText
  * @param first directories that are searched before the usual ones
  * @throws IllegalArgumentException if there is no such file
  */
-internal fun found(source: String, first: List<String> = emptyList()): Path {
-    val places = (first + DIRECTORIES).map { Path.of(it, source).toAbsolutePath().normalize() }
+internal fun found(source: String, first: List<String> = emptyList()): Path = found("agent", source, first + DIRECTORIES)
+
+/** Finds the file of the [kind] with this [name] in the first of [directories] that has it. */
+internal fun found(kind: String, name: String, directories: List<String>): Path {
+    val places = directories.map { Path.of(it, name).toAbsolutePath().normalize() }
     return places.firstOrNull { it.isRegularFile() }
-        ?: throw IllegalArgumentException("there is no agent $source; looked for ${places.joinToString()}")
+        ?: throw IllegalArgumentException("there is no $kind $name; looked for ${places.joinToString()}")
 }
 
 /** @throws IllegalArgumentException if there is no such file */

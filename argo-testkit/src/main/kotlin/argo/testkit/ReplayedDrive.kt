@@ -6,8 +6,6 @@ import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.SentCommand
 import argo.recording.replay.WhatIf
-import java.nio.file.Path
-import kotlin.io.path.isRegularFile
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.nanoseconds
@@ -34,18 +32,12 @@ fun replayed(
     program: String? = null,
     filter: PerceptionFilter? = null,
 ): ReplayedDrive = refusedInWords {
-    Recording(recordingIn(file)).use { recording ->
+    Recording(found("recording", file, listOf("", "src/test/resources"))).use { recording ->
         val name = agent ?: recording.agents.keys.singleOrNull()
             ?: throw RecordingException("$file has the agents ${recording.agents.keys.joinToString()}; agent = \"…\" names one of them")
         val source = program ?: recording.agents[name]?.source.orEmpty().substringAfterLast('/')
         WhatIf(recording, name, found(source), filter).use { ReplayedDrive(file, name, it.run()) }
     }
-}
-
-private fun recordingIn(file: String): Path {
-    val places = listOf("", "src/test/resources").map { Path.of(it, file).toAbsolutePath().normalize() }
-    return places.firstOrNull { it.isRegularFile() }
-        ?: throw IllegalArgumentException("there is no recording $file; looked for ${places.joinToString()}")
 }
 
 private fun <T> refusedInWords(work: () -> T): T = try {

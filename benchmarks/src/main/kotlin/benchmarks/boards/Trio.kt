@@ -33,7 +33,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** Gives the board of [baud] this [trouble]. The robot of that board is not measured from then on. */
+    /** Gives the board of [baud] this [trouble]. After this the robot of that board is not measured any more. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)

@@ -1,5 +1,6 @@
 package experiment.delegation
 
+import argo.tools.command.counted
 import experiment.MAX_TRIES
 import experiment.analysis.Source
 import experiment.analysis.shareIntervals

@@ -1,5 +1,6 @@
 package experiment.delegation
 
+import argo.tools.command.counted
 import experiment.report.Shades
 import experiment.report.dressed
 import experiment.report.median
@@ -36,7 +37,5 @@ private fun columns(cells: List<Pair<Load, Design>>) = mapOf(
     "processors" to cells.map { counted(it.first.processors, "processor") },
     "design" to cells.map { it.second.title },
 )
-
-internal fun counted(number: Int, what: String) = "$number $what${if (number == 1) "" else "s"}"
 
 private val TICKS_MS = listOf(5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)

@@ -35,8 +35,8 @@ import javino.wire.CommandItem;
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
- * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then a request is repeated every 250 ms, or after its own
- * time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
+ * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until the start, a request is repeated every 250 ms, or after its
+ * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
  * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
  * drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board come whole or not at all, and
@@ -306,8 +306,8 @@ public final class Link implements AutoCloseable {
      *
      * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
      * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
-     * acted. Until then the command is repeated, and the board takes the repetitions for one command. The command is given up after four
-     * repetitions and 2 s without any frame of the board.
+     * acted. Until the outcome is known, the command is repeated, and the board takes the repetitions for one command. The command is given
+     * up after four repetitions and 2 s without any frame of the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was

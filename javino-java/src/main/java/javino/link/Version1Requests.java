@@ -107,7 +107,7 @@ final class Version1Requests {
         return newest(message);
     }
 
-    /** The next message, if it is complete by {@code deadline}, or has begun by then and is complete by {@code giveUp}; else null. */
+    /** The next message, if complete by {@code deadline}, or begun by the deadline and complete by {@code giveUp}; else null. */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {

@@ -1,14 +1,16 @@
 package javino.session;
 
-import java.util.ArrayList;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /** Chooses the nonces of sessions. A HELLO with such a nonce needs no escape, and holds no {@code f}, which begins a version 1 frame. */
 final class Nonces {
-    private static final List<Integer> USABLE = usable();
+    private static final List<Integer> USABLE =
+            IntStream.rangeClosed(1, 0xFF).filter(Nonces::isUsable).boxed().toList();
 
     private final RandomGenerator random;
     private int last = -1; // place of the last nonce among the usable ones; -1: none yet
@@ -17,19 +19,9 @@ final class Nonces {
         this.random = random;
     }
 
-    private static List<Integer> usable() {
-        List<Integer> usable = new ArrayList<>();
-        for (int nonce = 1; nonce <= 0xFF; nonce++) {
-            byte[] bytes = hello(nonce).toBytes(0);
-            boolean hasF = false;
-            for (byte octet : bytes) {
-                hasF |= octet == 'f';
-            }
-            if (!hasF && bytes.length == WireFrame.OVERHEAD) {
-                usable.add(nonce);
-            }
-        }
-        return usable;
+    private static boolean isUsable(int nonce) {
+        String hello = new String(hello(nonce).toBytes(0), StandardCharsets.ISO_8859_1);
+        return hello.indexOf('f') < 0 && hello.length() == WireFrame.OVERHEAD;
     }
 
     static WireFrame hello(int nonce) {

@@ -9,7 +9,10 @@ public interface SessionListener<C> {
     /** The board speaks version 2; a session is about to begin. */
     void found();
 
-    /** The board speaks another {@linkplain Welcome#REVISION revision} of version 2, so no session begins. Called for each such answer. */
+    /**
+     * The board speaks another {@linkplain Welcome#REVISION revision} of version 2, so no session begins. Called for each WELCOME with
+     * another revision.
+     */
     void otherRevision(int revision);
 
     /** A session has begun: the board knows no rules. */
@@ -32,7 +35,7 @@ public interface SessionListener<C> {
 
     /**
      * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known. So the other actions
-     * stay unknown. Called for each such page.
+     * stay unknown. Called for each empty page.
      */
     void undescribed(int described, int total);
 

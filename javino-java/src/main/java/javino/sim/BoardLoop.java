@@ -109,7 +109,7 @@ public final class BoardLoop {
         handleNext();
     }
 
-    /** Waits for bytes unless a message is there. Takes all bytes that have arrived by then. */
+    /** Waits for bytes unless a message is there. Takes all bytes that have arrived at the end of the wait. */
     void receive(int timeoutMillis) throws PortException {
         board = Thread.currentThread();
         boolean waits = arrived.isEmpty();

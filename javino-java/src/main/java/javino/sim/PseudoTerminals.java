@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // until then only an empty temporary directory stays
+            directory.toFile().deleteOnExit(); // up to here only an empty temporary directory stays
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -10,7 +10,7 @@ import java.util.BitSet
  * @param doubted the places of received percepts that are not credible, so that older ones stand for them
  */
 internal class Picture<P>(val received: List<P>, val standing: List<P> = received, private val doubted: BitSet = BitSet()) {
-    /** Returns the received percepts, and those that stand for a credible one. */
+    /** Returns the received percepts, and the percepts that stand for credible ones. */
     fun seen(): Set<P> = received.toHashSet().apply {
         if (standing !== received) standing.forEachIndexed { place, percept -> if (!doubted[place]) add(percept) }
     }

@@ -10,7 +10,7 @@ internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<In
     var heldSinceMs: Long? = null
 }
 
-/** The [rule] holds a percept back until [dueMs]; until then the agent perceives [last] in its place. */
+/** The [rule] holds a percept back until [dueMs]; while it does, the agent perceives [last]. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**

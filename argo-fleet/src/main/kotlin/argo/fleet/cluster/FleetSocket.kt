@@ -17,7 +17,7 @@ import javax.net.ssl.SSLSocket
 /** The other end is a computer that this one must not connect with; [message] tells the user why. */
 private class Refusal(override val message: String) : IOException(message)
 
-/** Has the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
+/** Keeps the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {

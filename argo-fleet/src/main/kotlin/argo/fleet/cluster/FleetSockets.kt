@@ -24,7 +24,8 @@ internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFacto
 
 /**
  * Accepts connections, and hands those of the fleet to JGroups. A few threads exchange greetings. A connection is closed if its greeting
- * takes too long, or if it comes while all these threads are busy. So strangers cost no more memory than these threads, whatever they send.
+ * takes too long, or if it comes while all greeting threads are busy. So strangers cost no more memory than these threads, whatever they
+ * send.
  */
 internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
     private val greeted = LinkedBlockingQueue<Socket>()

@@ -69,7 +69,10 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
 /** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
 internal interface Bridge : AutoCloseable {
     /** Sends [message]. Hold no lock: this thread may run the callbacks of messages that have left. */
-    fun send(message: Outgoing)
+    fun send(message: Outgoing) {
+        queue(message)
+        flush()
+    }
 
     /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
@@ -88,11 +91,6 @@ internal interface Bridge : AutoCloseable {
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
 
-    override fun send(message: Outgoing) {
-        outbox.add(message)
-        outbox.flush()
-    }
-
     override fun queue(message: Outgoing) = outbox.add(message)
 
     override fun flush() = outbox.flush()
@@ -105,7 +103,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
     }
 
-    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read by then are lost. */
+    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read within this time are lost. */
     override fun close() {
         outbox.close()
         socket.sendClose(WebSocket.NORMAL_CLOSURE, "")

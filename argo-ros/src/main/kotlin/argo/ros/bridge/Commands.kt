@@ -109,7 +109,7 @@ internal class Commands(
         graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
         val giveUp = if (rule.kind == Kind.ACTION) ({ giveUp(id, entry) }) else null
-        return SentCommand(outcome, eitherOf(message.left, outcome), giveUp)
+        return SentCommand(outcome, CompletableFuture.anyOf(message.left, outcome).handle { _, _ -> }, giveUp)
     }
 
     private fun ended(id: String, entry: Pending) {
@@ -126,14 +126,6 @@ internal class Commands(
 
     private fun refused(reason: String) =
         SentCommand(CompletableFuture.failedFuture<Answer>(ActionRefusedException(port, "$reason (port $port)")))
-
-    /** Completes without an error as soon as [left] or [outcome] has ended in any way. */
-    private fun eitherOf(left: CompletableFuture<*>, outcome: CompletableFuture<*>): CompletableFuture<Unit> {
-        val either = CompletableFuture<Unit>()
-        left.whenComplete { _, _ -> either.complete(Unit) }
-        outcome.whenComplete { _, _ -> either.complete(Unit) }
-        return either
-    }
 
     private fun limit(id: String, entry: Pending, limitMs: Int) {
         val ms = if (limitMs > 0) minOf(limitMs, entry.rule.withinMs) else entry.rule.withinMs

@@ -31,11 +31,6 @@ internal class PlayedBridge(
         CompletableFuture.completedFuture(Unit)
     }
 
-    override fun send(message: Outgoing) {
-        outbox.add(message)
-        outbox.flush()
-    }
-
     override fun queue(message: Outgoing) = outbox.add(message)
 
     override fun flush() = outbox.flush()

@@ -29,8 +29,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * Adds a sample for the time at which the simulator's clock went on. If a silence ends with [simNanos] at [atNanos], the clock counts
-     * as having stood at first, and then run at its previous speed.
+     * Adds a sample for the time at which the simulator's clock went on. If a silence ends with [simNanos] at [atNanos], assumes that the
+     * clock first stood and then ran at its previous speed.
      */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()

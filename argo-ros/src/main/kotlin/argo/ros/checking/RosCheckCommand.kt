@@ -10,6 +10,7 @@ import argo.ros.mapping.mappingIn
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolProvider
+import argo.tools.command.counted
 import argo.tools.command.refuseWithout
 import argo.tools.command.requireWithin
 import javino.LineClock
@@ -76,8 +77,6 @@ internal class RosCheckCommand : ToolCommand() {
         synchronized(found) { found.forEach { err.println(it) } }
         return if (found.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
     }
-
-    private fun counted(count: Int, what: String) = "$count $what" + if (count == 1) "" else "s"
 
     private fun check(mapping: Mapping, address: String) {
         try {

@@ -8,8 +8,8 @@ import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. A command from the graph takes the
- * way of `argo.act`. [warn] takes reports of percepts that are not published, each text once.
+ * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. Sends a command from the graph as
+ * `argo.act` does. [warn] takes reports of percepts that are not published, each text once.
  */
 internal class AgentRos(
     private val agent: ObservedAgent,

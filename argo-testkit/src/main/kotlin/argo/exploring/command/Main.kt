@@ -20,7 +20,7 @@ fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList
  *
  * @param err takes the reason if nothing is explored
  * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken. A Java
- *   machine that cannot start never ends with 4.
+ * machine that cannot start never ends with the status 4.
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {

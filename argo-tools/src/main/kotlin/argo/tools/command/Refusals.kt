@@ -36,7 +36,7 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     }
 
 private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
-    read(text) ?: throw TypeConversionException("$text is not a whole number that can be used here")
+    read(text) ?: throw TypeConversionException("$text is not a whole number, or is too large")
 
 private fun file(name: String): Path = try {
     Path.of(name)
