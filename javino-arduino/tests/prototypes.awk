@@ -1,9 +1,9 @@
 # Does what the Arduino tools do to a sketch before it is compiled: declares its functions ahead of the first one.
 # Only definitions that begin in the first column and on one line are found.
 FNR == NR {
-  if ($0 ~ /^[A-Za-z_][A-Za-z0-9_ *&]*[ *&][A-Za-z_][A-Za-z0-9_]*\([^;={]*\)[ \t]*(\{.*)?$/ && $0 !~ /^(else|return|static|template|struct|class|typedef)/) {
+  if ($0 ~ /^[A-Za-z_][A-Za-z0-9_ *&]*[ *&][A-Za-z_][A-Za-z0-9_]*[ \t]*\([^;={]*\)[ \t\r]*((\{|\/\/|\/\*).*)?$/ && $0 !~ /^(else|return|static|template|struct|class|typedef)/) {
     declaration = $0
-    sub(/[ \t]*(\{.*)?$/, ";", declaration)
+    sub(/\)[ \t\r]*((\{|\/\/|\/\*).*)?$/, ");", declaration)
     declarations = declarations declaration "\n"
     if (!first)
       first = FNR

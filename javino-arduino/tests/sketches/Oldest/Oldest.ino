@@ -18,7 +18,7 @@ void loop() {
   msg = "";
 }
 
-String getLight() {
+String getLight () { // a blank stands before the brackets in many sketches
   int light = analogRead(A0);
   return "light("+String(light)+");";
 }

@@ -3,9 +3,9 @@ package argo.recording.agent
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSyntax.ArithExpr
-import jason.asSyntax.BinaryStructure
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.Atom
+import jason.asSyntax.BinaryStructure
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.ListTerm
 import jason.asSyntax.ListTermImpl
