@@ -2,6 +2,7 @@ package argo.fleet.trial
 
 import java.io.File
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Computers of a network on this one: each has a network namespace with one interface, and all are plugged into one switch. [close] removes
@@ -10,12 +11,14 @@ import java.util.concurrent.TimeUnit
  * @throws IllegalStateException if namespaces cannot be made; see [missing]
  */
 class Namespaces(private val names: List<String>) : AutoCloseable {
+    /** A name of its own, since several tests may do this at a time. Interfaces' names have at most 15 characters. */
+    private val switch = "af${ProcessHandle.current().pid().toString(36)}x${made.getAndIncrement().toString(36)}"
     private val addresses = names.withIndex().associate { (index, name) -> name to "$NETWORK.${index + 1}" }
 
     init {
         removeAll()
-        ip("link add $SWITCH type bridge")
-        ip("link set $SWITCH up")
+        ip("link add $switch type bridge")
+        ip("link set $switch up")
         names.forEach(::make)
     }
 
@@ -23,13 +26,13 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
         val cable = cable(name)
         ip("netns add $cable")
         ip("link add $cable type veth peer name eth0 netns $cable")
-        ip("link set $cable master $SWITCH up")
+        ip("link set $cable master $switch up")
         ip("-n $cable addr add ${address(name)}/24 dev eth0")
         ip("-n $cable link set eth0 up")
         ip("-n $cable link set lo up")
     }
 
-    private fun cable(name: String) = "$SWITCH${names.indexOf(name) + 1}"
+    private fun cable(name: String) = "${switch}x${names.indexOf(name) + 1}"
 
     /** The address of a computer. */
     fun address(name: String): String = addresses.getValue(name)
@@ -48,11 +51,11 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
 
     private fun removeAll() {
         names.forEach { run("netns del ${cable(it)}") }
-        run("link del $SWITCH")
+        run("link del $switch")
     }
 
     companion object {
-        private const val SWITCH = "argofl"
+        private val made = AtomicInteger()
         private const val NETWORK = "10.231.7"
 
         /** The reason why namespaces cannot be made on this computer; null: they can. */
