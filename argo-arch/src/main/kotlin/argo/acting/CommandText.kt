@@ -9,6 +9,7 @@ import jason.asSyntax.BinaryStructure
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
+import jason.asSyntax.NumberTermImpl
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
@@ -30,7 +31,7 @@ internal fun commandTerm(command: String): Term {
 /** Reads [text], a term that a link has written. */
 internal fun termOf(text: String): Term = PerceptReader.read("answer($text)").getTerm(0) // the reader takes only literals
 
-/** Refuses [command] unless it is a string, or a literal without variables. */
+/** Refuses [command] unless it is a string, or a literal without variables whose numbers are finite. */
 internal fun requireCommand(command: Term) {
     when {
         command is StringTerm -> if (command.string.isEmpty()) throw ArgumentException("a command has at least one character")
@@ -38,7 +39,15 @@ internal fun requireCommand(command: Term) {
             throw ArgumentException("$command holds a variable that has no value")
         command !is Literal || command.isList || command.isPlanBody || command is BinaryStructure ->
             throw ArgumentException("a command is a literal such as ledOn or speed(120), not $command")
+        !isFinite(command) -> throw ArgumentException("$command holds a number that is infinite or none, as after a division by 0")
     }
+}
+
+private fun isFinite(term: Term): Boolean = when (term) {
+    is NumberTermImpl -> term.solve().isFinite()
+    is ListTerm -> term.all(::isFinite)
+    is Structure -> (0 until term.arity).all { isFinite(term.getTerm(it)) }
+    else -> true
 }
 
 /**

@@ -4,13 +4,25 @@ import kotlin.concurrent.thread
 
 /**
  * If something outside ends the program before this is closed, as Ctrl-C does, runs [say] on its own thread. The program waits for [say],
- * but no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Safe for use by several threads.
+ * but no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Then [tell] gets [unsaid], by default on standard
+ * error, since Java may have closed the log. Safe for use by several threads.
  */
-class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoCloseable {
-    private val atExit = Thread({ thread(isDaemon = true, block = say).join(mostMs) }, "argo-farewell")
+class Farewell(
+    private val mostMs: Long,
+    private val unsaid: String,
+    private val tell: (String) -> Unit = System.err::println,
+    private val say: () -> Unit,
+) : AutoCloseable {
+    private val atExit = Thread(::bid, "argo-farewell")
 
     init {
         Runtime.getRuntime().addShutdownHook(atExit)
+    }
+
+    internal fun bid() {
+        val saying = thread(isDaemon = true, block = say)
+        saying.join(mostMs)
+        if (saying.isAlive) tell(unsaid)
     }
 
     /** Cancels [say]. Idempotent; may be called while the program ends. */

@@ -5,7 +5,6 @@ import argo.platform.Platform
 import argo.platform.SequentialExecutor
 import java.io.IOException
 import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Logger
 
@@ -26,9 +25,9 @@ internal class StateWriter(
     private val next = AtomicReference<State?>()
     private val isEnded = CountDownLatch(1)
     private var hasFailed = false // of the writing thread
-    private val farewell = Farewell(MAX_FAREWELL_MS) {
+    private val farewell = Farewell(MAX_FAREWELL_MS, "argo_resume: the program has ended before agent $name's last state was in $file") {
         end()
-        isEnded.await(MAX_FAREWELL_MS, TimeUnit.MILLISECONDS)
+        isEnded.await()
     }
 
     fun write(state: State) {

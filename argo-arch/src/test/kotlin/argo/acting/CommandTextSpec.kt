@@ -55,6 +55,15 @@ class CommandTextSpec : FunSpec({
         }
     }
 
+    test("a command with a number that is infinite or none is refused") {
+        for (number in listOf(1 / 0.0, -1 / 0.0, 0 / 0.0)) {
+            val one = ASSyntax.createNumber(number)
+            for (held in listOf(one, ASSyntax.createList(one), ASSyntax.createStructure("of", one))) {
+                shouldThrow<ArgumentException> { requireCommand(ASSyntax.createLiteral("n", held)) }.message shouldContain "a division by 0"
+            }
+        }
+    }
+
     test("a literal is sent without its namespace, and its arguments with theirs") {
         checkAll(structures) { literal ->
             lineText(literal.cloneNS(Atom("left")) as Literal) shouldBe (literal.cloneNS(Literal.DefaultNS) as Literal).toString()

@@ -31,7 +31,7 @@ class AgentView private constructor(
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
 
     /** Shows the agent's end on the pages when the whole program ends. */
-    private val farewell = Farewell(MAX_FAREWELL_MS) {
+    private val farewell = Farewell(MAX_FAREWELL_MS, "the program has ended before the pages of agent ${agent.name} showed the end") {
         close()
         publisher.join()
     }

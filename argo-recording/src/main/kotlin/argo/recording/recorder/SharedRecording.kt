@@ -20,7 +20,9 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
      * Closes a file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring is written only on request, and not at
      * the end of a program.
      */
-    private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
+    private val farewell = (sink as? RecordingFile)?.let { file ->
+        Farewell(MAX_FAREWELL_MS, "argo_record: the program has ended before all that was recorded was in ${file.path}", say = file::close)
+    }
 
     /** Writes a ring to a file in [folder], on a thread of its own. Does nothing to a recording in a file. */
     fun save(folder: Path = Path.of("")) {

@@ -41,9 +41,9 @@ internal class Membership(
     private val place = "ros://${address.ros.socket.authority}"
     private val news = Semaphore(0)
     private val thread = Thread(::run, "argo-ros-${participant.name}").apply { isDaemon = true }
-    private val farewell = Farewell(LEAVING_MS) {
+    private val farewell = Farewell(LEAVING_MS, "the program has ended before ${participant.name} had left $place") {
         close()
-        thread.join(LEAVING_MS)
+        thread.join()
     }
     private var reported = "" // only the thread uses it
 
