@@ -59,7 +59,7 @@ class LayersSpec : FunSpec({
             listOf("argo.boards", "argo.perception", "argo.mind", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
         "argo.pausing" to
             listOf(
-                "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
+                "argo.hand", "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
                 "argo.observing",
             ),
     )
