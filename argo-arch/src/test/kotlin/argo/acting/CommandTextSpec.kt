@@ -9,9 +9,9 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.bind
 import io.kotest.property.arbitrary.boolean
-import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.of
 import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
@@ -21,7 +21,7 @@ import jason.asSyntax.Term
 
 /** Draws terms as plans hold them, up to [depth] levels deep. */
 private fun terms(depth: Int): Arb<Term> = Arb.int(0..(if (depth == 0) 5 else 8)).let { kinds ->
-    Arb.bind(kinds, Arb.int(), Arb.double(-1e6, 1e6), Arb.of("a", "front", "a b(", "")) { kind, whole, number, word ->
+    Arb.bind(kinds, Arb.int(), Arb.numericDouble(-1e6, 1e6), Arb.of("a", "front", "a b(", "")) { kind, whole, number, word ->
         when (kind) {
             0 -> ASSyntax.createNumber(whole.toDouble())
             1 -> ASSyntax.createNumber(number)
