@@ -31,8 +31,9 @@ internal class Questions {
         open[id]?.asked?.remove(agent)
     }
 
+    /** Fails the question [id], whose action may not have called [end] yet. */
     fun fail(id: String?, reason: Throwable) {
-        if (id != null) open.remove(id)?.end?.complete(errorOf(reason))
+        id?.let(open::get)?.end?.complete(errorOf(reason))
     }
 
     /** Fails the questions to agents that have not answered and, by [now], have left the computer where they were asked. */
