@@ -6,7 +6,7 @@ import argo.observing.placeOf
 import argo.platform.Plans
 import argo.platform.isSameFile
 import jason.asSemantics.Agent
-import jason.asSyntax.ListTerm
+import jason.asSyntax.ListTermImpl
 import jason.asSyntax.Plan
 import jason.asSyntax.PlanBody
 import jason.asSyntax.Structure
@@ -83,7 +83,7 @@ private fun stepsIn(body: PlanBody?): List<PlanBody> =
 
 private fun within(term: Term?): List<PlanBody> = when {
     term is PlanBody -> stepsIn(term)
-    term is ListTerm -> term.flatMap(::within) // Jason logs a warning when the terms of a list are asked for
+    term is ListTermImpl -> term.asList.flatMap(::within) // Jason logs a warning when the terms of a list are asked for
     term is Structure && term.hasTerm() -> term.terms.flatMap(::within)
     else -> emptyList()
 }
