@@ -146,8 +146,7 @@ internal class Leases(
             val running = reign
             if (running != null && !running.isValid()) {
                 log.severe("$agent stops here: most computers of the fleet have not confirmed in time that it may run; another may")
-                reign = null
-                lease.giveUp()
+                giveUp(running)
                 agents.stop(agent)
             }
             if (reign != null || isMine()) claim()
