@@ -13,11 +13,11 @@ import argo.recording.replay.RecordingException
  */
 class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     private val names = recordings.keys.toList()
-    private val whys = recordings.values.map(::Why)
+    private val whys = recordings.values.map { lazy { Why(it) } } // which reads a whole recording
     private val joint by lazy { JointRecordings(recordings.values.toList()) }
 
     /** Explains the commands of the first recording. */
-    val first: Why get() = whys.first()
+    val first: Why get() = whys.first().value
 
     /** Returns the [answer] that [first] has given, with the sendings of the messages at its root added. */
     fun follow(answer: Answer): Answer = answer.copy(sent = sendings(0, answer.command.agent, answer.cause))
@@ -27,8 +27,8 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
         var (at, receiver) = place to agent
         var root = cause?.root() as? MessageCause
         while (root != null && found.size < MOST_FOLLOWED) {
-            val sending = whys[at].mailOf(receiver, root)?.let { joint.sending(at, receiver, it) } ?: break
-            found += sent(sending, at, whys[at].nanos(root.seconds))
+            val sending = whys[at].value.mailOf(receiver, root)?.let { joint.sending(at, receiver, it) } ?: break
+            found += sent(sending, at, whys[at].value.nanos(root.seconds))
             root = found.last().cause?.root() as? MessageCause
             at = sending.recording
             receiver = sending.agent
@@ -37,7 +37,7 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     }
 
     private fun sent(sending: JointRecordings.Sending, receiver: Int, takenNs: Long): SentCause {
-        val own = whys[sending.recording]
+        val own = whys[sending.recording].value
         val differences = joint.differencesOfClocks
         val (here, there) = differences[receiver] to differences[sending.recording]
         val delay = if (here == null || there == null) null else (takenNs - here.ns) - (sending.cycle.ns - there.ns)
@@ -51,7 +51,7 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
         )
     }
 
-    override fun close() = whys.forEach(Why::close)
+    override fun close() = whys.filter { it.isInitialized() }.forEach { it.value.close() }
 
     private companion object {
         const val MOST_FOLLOWED = 20
