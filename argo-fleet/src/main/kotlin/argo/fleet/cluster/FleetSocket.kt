@@ -44,8 +44,11 @@ internal class Entrance(
  */
 internal class FleetSocket(private val entrance: Entrance, private val refusals: Refusals) : Socket() {
     private var secured: SSLSocket? = null
+    private var other: String? = null // the computer at the other end, once it has proved its name
 
-    override fun getInputStream(): InputStream = secured?.inputStream ?: super.getInputStream()
+    override fun getInputStream(): InputStream =
+        (secured?.inputStream ?: super.getInputStream()).let { stream -> other?.let { Origin.stream(it, stream) } ?: stream }
+
     override fun getOutputStream(): OutputStream = secured?.outputStream ?: super.getOutputStream()
 
     override fun connect(endpoint: SocketAddress, timeout: Int) {
@@ -70,7 +73,10 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         say(entrance.greeting.line)
     }
 
-    private fun checkOther(other: Greeting) = entrance.check(other, secured?.session?.peerCertificates?.firstOrNull() as X509Certificate?)
+    private fun checkOther(greeting: Greeting) {
+        entrance.check(greeting, secured?.session?.peerCertificates?.firstOrNull() as X509Certificate?)
+        other = greeting.name
+    }
 
     private fun secure(isClient: Boolean) {
         val context = entrance.context ?: return

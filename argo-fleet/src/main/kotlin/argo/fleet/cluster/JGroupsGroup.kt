@@ -29,6 +29,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     private val address = ExtendedUUID.randomUUID().put(NAME, settings.here.toByteArray())
     val channel: JChannel
     private lateinit var listener: GroupListener
+    private val refusals = Refusals()
 
     /** The members of the last view by their addresses; below, the addresses by the members. */
     @Volatile
@@ -72,6 +73,8 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
 
     override fun receive(message: Message) {
         val from = members[message.src] ?: return // the sender is not a member here yet, and will repeat the message
+        val origin = Origin.current
+        if (from.name != origin) return refusals.tell("$origin sends messages under the name of ${from.name}, which are left out")
         if (message is BytesMessage) listener.arrived(from, message.array.copyOfRange(message.offset, message.offset + message.length))
     }
 

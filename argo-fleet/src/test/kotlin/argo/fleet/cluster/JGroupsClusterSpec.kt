@@ -3,12 +3,17 @@ package argo.fleet.cluster
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import org.jgroups.BytesMessage
 import org.jgroups.Message
 import org.jgroups.ObjectMessage
 import org.jgroups.util.Util
 import java.io.Serializable
 import java.net.InetSocketAddress
 import java.net.ServerSocket
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 
 /** Computers on the loopback interface, each with sockets of its own; without [areNamed] they have to find each other. */
 private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld {
@@ -68,6 +73,33 @@ class JGroupsClusterSpec : FunSpec({
             val logs = listOf("a", "b").map { name -> Log().also { world.start(name).listen(it) } }
             world.await("a view of both") { logs.all { it.computers == setOf("a", "b") } }
         }
+    }
+
+    test("a message under another computer's name is left out, and told") {
+        val told = CopyOnWriteArrayList<String>()
+        val handler = object : Handler() {
+            override fun publish(record: LogRecord) {
+                told += record.message
+            }
+
+            override fun flush() = Unit
+            override fun close() = Unit
+        }
+        Logger.getLogger(Cluster::class.java.name).addHandler(handler)
+        JGroupsWorld().use { world ->
+            val log = Log()
+            val (a, b, c) = listOf("a", "b", "c").map(world::start)
+            a.listen(log)
+            b.listen(Log())
+            c.listen(Log())
+            world.await("a view of all") { log.computers == setOf("a", "b", "c") }
+            val forged = BytesMessage(world.channel("a").address, Frame.Piece(1, 1, true, "forged".toByteArray()).bytes())
+            world.channel("b").send(forged.setSrc(world.channel("c").address).setFlag(Message.Flag.NO_RELIABILITY))
+            world.await("the line") { told.any { it.startsWith("b sends messages under the name of c, which are left out") } }
+            c.send("a", "own".toByteArray())
+            world.await("the message after it") { log.from("c") == listOf("own") }
+        }
+        Logger.getLogger(Cluster::class.java.name).removeHandler(handler)
     }
 
     test("a Java object that a member of the group sends is not read") {
