@@ -41,7 +41,7 @@ internal class FleetCommand : ToolCommand() {
             val described = mas.read("$project")
             val settings = described.settings(here, bind)
             val fleet = Fleet(
-                JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG), described.views,
+                JGroupsCluster.open(settings), described.planned, described.hosts, Logger.getLogger(FleetMas.LOG), described.views,
             )
             Runtime.getRuntime().addShutdownHook(Thread(fleet::close, "argo-fleet-leaving"))
             mas.run(fleet, described.agents, described.hosts.size)

@@ -340,9 +340,11 @@ class FleetAgentsSpec : FunSpec({
             base.cluster.view("scout1" to "1")
             base.cluster.receives("scout1", whole("c", "b"))
             base.observed("a") shouldBe listOf(
-                ObservedComputer("base", isHere = true, isOn = true, listOf(AgentThere("a", null))),
-                ObservedComputer("scout1", isHere = false, isOn = true, listOf(AgentThere("b", 8081), AgentThere("c", null))),
-                ObservedComputer("scout2", isHere = false, isOn = false, emptyList()),
+                ObservedComputer("base", "127.0.0.1", isHere = true, isNear = true, isOn = true, listOf(AgentThere("a", null))),
+                ObservedComputer(
+                    "scout1", "127.0.0.1", isHere = false, isNear = true, isOn = true, listOf(AgentThere("b", 8081), AgentThere("c", null)),
+                ),
+                ObservedComputer("scout2", "127.0.0.1", isHere = false, isNear = true, isOn = false, emptyList()),
             )
         }
     }

@@ -56,7 +56,7 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
         val described = FleetProject(project)
         project.infrastructure = ClassParameters("Local")
         mas = FleetMas().apply { this.project = project }
-        fleet = Fleet(cluster, described.planned, described.hosts.keys, Logger.getLogger("test"), described.views)
+        fleet = Fleet(cluster, described.planned, described.hosts, Logger.getLogger("test"), described.views)
         mas.run(fleet, described.agents, described.hosts.size)
     }
 

@@ -112,7 +112,7 @@ internal class StateComposer(
 
     private fun computerState(computer: ObservedComputer): ComputerState {
         val shown = computer.agents.take(MAX_AGENTS).map { AgentState(it.name, it.viewPort) }
-        return ComputerState(computer.name, computer.isHere, computer.isOn, shown, computer.agents.size - shown.size)
+        return computer.run { ComputerState(name, address, isHere, isNear, isOn, shown, agents.size - shown.size) }
     }
 
     private fun isCourseDue(now: Long) = coursesNanos.let { it == null || now - it >= COURSES_NANOS }

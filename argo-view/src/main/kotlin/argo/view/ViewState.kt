@@ -47,11 +47,20 @@ internal data class ViewState(
 /**
  * A computer of the system.
  *
+ * @property near whether a browser on this computer can open the computer's live views
  * @property agents the first of its agents
  * @property more the number of its other agents
  */
 @Serializable
-internal data class ComputerState(val name: String, val here: Boolean, val on: Boolean, val agents: List<AgentState>, val more: Int)
+internal data class ComputerState(
+    val name: String,
+    val address: String,
+    val here: Boolean,
+    val near: Boolean,
+    val on: Boolean,
+    val agents: List<AgentState>,
+    val more: Int,
+)
 
 /**
  * An agent on a computer.

@@ -352,13 +352,13 @@ function showAgents({ agent, agents, moreAgents }) {
   });
 }
 
-/** Returns a link to the view of an agent of this computer, or the name of another agent with the way to its view. */
-function agentThere({ name, viewPort }, computer) {
-  const isNear = computer.here && viewPort;
+/** Returns a link to the view of an agent of this machine, or the name of another agent with the way to its view. */
+function agentThere({ name, viewPort }, { near, address }) {
+  const isNear = near && viewPort;
   const made = element(isNear ? 'a' : 'span');
   text(made, name);
   if (isNear) made.href = `//${location.hostname}:${viewPort}/${encodeURIComponent(name)}/`;
-  else if (viewPort) made.title = `Its live view is at port ${viewPort} of ${computer.name}: ssh -L ${viewPort}:127.0.0.1:${viewPort} ${computer.name}`;
+  else if (viewPort) made.title = `Its live view is at port ${viewPort} of ${address}: ssh -L ${viewPort}:127.0.0.1:${viewPort} ${address}`;
   return made;
 }
 

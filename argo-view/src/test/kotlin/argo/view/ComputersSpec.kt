@@ -10,7 +10,8 @@ import java.util.logging.Logger
 /** The computers of a fleet on the page of an agent. */
 class ComputersSpec : FunSpec({
     test("a change of the computers is news, and of agents that are too many to be shown the number is told") {
-        var now = listOf(ObservedComputer("base", isHere = true, isOn = true, List(60) { AgentThere("a$it", 8080) }))
+        val agents = List(60) { AgentThere("a$it", 8080) }
+        var now = listOf(ObservedComputer("base", "10.8.0.1", isHere = true, isNear = true, isOn = true, agents))
         val log = Logger.getLogger("argo.view.test.computers")
         val agent = object : ObservedAgent by Nobody {
             override val computers get() = now
@@ -19,7 +20,7 @@ class ComputersSpec : FunSpec({
         composer.state(isLast = false).computers.single().run { listOf(name, here, on, agents.size, more) } shouldBe
             listOf("base", true, true, 50, 10)
         composer.hasNews() shouldBe false
-        now = now + ObservedComputer("scout1", isHere = false, isOn = false, emptyList())
+        now = now + ObservedComputer("scout1", "10.8.0.2", isHere = false, isNear = false, isOn = false, emptyList())
         composer.hasNews() shouldBe true
         composer.state(isLast = false).computers.map { it.name } shouldBe listOf("base", "scout1")
     }

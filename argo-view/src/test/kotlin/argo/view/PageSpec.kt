@@ -106,7 +106,7 @@ class PageSpec : FunSpec({
             }
         }
 
-    test("the computers of a fleet are shown with their agents, and links to the views of this one").config(
+    test("the computers of a fleet are shown with their agents, and links to the views of this machine").config(
         tags = thorough, enabledOrReasonIf = browser,
     ) {
         ViewedMas().use { mas ->
@@ -116,17 +116,24 @@ class PageSpec : FunSpec({
                 run<Any?>(
                     """
                     state.computers = [
-                      { name: 'base', here: true, on: true, more: 3,
+                      { name: 'base', address: '127.0.0.1', here: true, near: true, on: true, more: 3,
                         agents: [{ name: 'bob', viewPort: 8080 }, { name: 'eve', viewPort: null }] },
-                      { name: 'scout1', here: false, on: false, agents: [], more: 0 },
+                      { name: 'scout1', address: '127.0.0.1', here: false, near: true, on: true, more: 0,
+                        agents: [{ name: 'ann', viewPort: 8081 }] },
+                      { name: 'scout2', address: '10.8.0.12', here: false, near: false, on: true, more: 0,
+                        agents: [{ name: 'joe', viewPort: 8080 }] },
+                      { name: 'scout3', address: '10.8.0.13', here: false, near: false, on: false, agents: [], more: 0 },
                     ];
                     document.getElementById('freeze').click();
                     """,
                 )
-                await { texts("#computers .chip") == listOf("on", "off") }
-                texts("#computers .text") shouldBe listOf("base, this one", "scout1")
-                texts("#computers .detail") shouldBe listOf("bob, eve, 3 more", "")
-                run<String>("return document.querySelector('#computers a').pathname") shouldBe "/bob/"
+                await { texts("#computers .chip") == listOf("on", "on", "on", "off") }
+                texts("#computers .text") shouldBe listOf("base, this one", "scout1", "scout2", "scout3")
+                texts("#computers .detail") shouldBe listOf("bob, eve, 3 more", "ann", "joe", "")
+                run<List<String>>("return [...document.querySelectorAll('#computers a')].map(it => it.port + it.pathname)") shouldBe
+                    listOf("8080/bob/", "8081/ann/")
+                run<String>("return [...document.querySelectorAll('#computers span')].find(it => it.title).title") shouldBe
+                    "Its live view is at port 8080 of 10.8.0.12: ssh -L 8080:127.0.0.1:8080 10.8.0.12"
             }
         }
     }

@@ -148,7 +148,9 @@ internal class FleetAgArch(
     override val computers: List<ObservedComputer> get() = fleet.directory.run {
         computers.map { computer ->
             val agents = agentsOf[computer].orEmpty().map { AgentThere(it, fleet.views[it]) }
-            ObservedComputer(computer, computer == here, isMet(computer), agents)
+            val address = fleet.hosts[computer]
+            val isNear = computer == here || address?.address?.isLoopbackAddress == true
+            ObservedComputer(computer, address?.hostString ?: computer, computer == here, isNear, isMet(computer), agents)
         }
     }
 

@@ -6,6 +6,7 @@ import argo.fleet.cluster.ClusterView
 import argo.fleet.cluster.Computer
 import argo.fleet.cluster.Refused
 import argo.fleet.cluster.Unreachable
+import java.net.InetSocketAddress
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 import java.util.concurrent.ConcurrentHashMap
@@ -36,12 +37,13 @@ internal interface LocalAgents {
  * Safe for use by several threads, never blocks.
  *
  * @param planned the agents of the project, each with the computers that it may run on
+ * @property hosts the addresses of the computers that the project names
  * @property views the ports of live views of agents of the project
  */
 internal class Fleet(
     private val cluster: Cluster,
     planned: Map<String, List<String>>,
-    hosts: Set<String>,
+    val hosts: Map<String, InetSocketAddress>,
     private val log: Logger,
     val views: Map<String, Int> = emptyMap(),
 ) : AutoCloseable {
@@ -53,7 +55,7 @@ internal class Fleet(
 
     /** The present places of agents and services. */
     @Volatile
-    var directory = Directory(cluster.here, planned = planned, hosts = hosts)
+    var directory = Directory(cluster.here, planned = planned, hosts = hosts.keys)
         private set
 
     val here: String get() = cluster.here
