@@ -14,6 +14,7 @@ import argo.fleet.node.MindNews
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.fleet.node.Unanswered
 import argo.recording.agent.AwaitedOutside
 import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
@@ -144,6 +145,10 @@ internal class FleetMas :
     override fun take(message: Say) {
         val receiver = getAg(message.to) as? FleetAgArch ?: throw noAgent(message.to)
         receiver.take(message)
+    }
+
+    override fun take(message: Unanswered) {
+        (getAg(message.to) as? FleetAgArch)?.take(message)
     }
 
     override fun kill(wanted: Kill) {

@@ -1,12 +1,15 @@
 package argo.fleet
 
+import argo.fleet.cluster.Overloaded
 import argo.fleet.cluster.Refused
 import argo.fleet.cluster.Unreachable
+import argo.fleet.node.FleetMessage
 import argo.fleet.node.Kill
 import argo.fleet.node.Offer
 import argo.fleet.node.RosterNews
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.fleet.node.Unanswered
 import argo.observing.AgentThere
 import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
@@ -17,6 +20,7 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.time.Duration.Companion.seconds
 
 /** Agents of one computer of a fleet, whose other computers are played here. */
@@ -162,6 +166,19 @@ class FleetAgentsSpec : FunSpec({
             }
         }
 
+        test("fails with the reason why the answer does not arrive, and without an intention that waits the log tells it") {
+            computer(program) {
+                val sent = cluster.next()
+                sent.end.complete(null)
+                val asked = (sent.message as Say).id.orEmpty()
+                cluster.receives("scout1", Unanswered(asked, "a", "not_sendable", "b has answered in vain: it is a Java object"))
+                shouldBelieve("a", "failed(not_sendable)[source(self)]")
+                cluster.receives("scout1", Unanswered("mid7", "a", "overloaded", "b has answered in vain: it is too long"))
+                shouldLog("a question gets no answer: b has answered in vain: it is too long")
+                cluster.receives("scout1", Unanswered("mid8", "nobody", "overloaded", "b has answered in vain"))
+            }
+        }
+
         test("whose time is over ends with that, and no failure of its computer fails it any more") {
             computer("+!go <- .send(b, askOne, p(X), A, 10); +got(A). -!go <- +failed.") {
                 cluster.next().end.complete(null)
@@ -194,11 +211,26 @@ class FleetAgentsSpec : FunSpec({
             }
         }
 
-        test("whose answer does not arrive is told in the log, since Jason's own plans send it") {
-            computer("p(7).") {
+        test("whose answer does not arrive is told in the log, since Jason's own plans send it, and to the asker") {
+            val told = CopyOnWriteArrayList<FleetMessage>()
+            computer("p(7). +!make <- .queue.create(Q); +object(Q).", also = {
+                cluster.answer = { one ->
+                    told += one.message
+                    one.end.complete(null)
+                }
+            }) {
                 cluster.receives("scout1", Say("samid5", null, "askOne", "b", "a", "p(X)"))
-                cluster.next().end.completeExceptionally(Unreachable("scout1 is off"))
-                shouldLog("a message to b has not arrived: scout1 is off")
+                cluster.next().end.completeExceptionally(Overloaded("it is too long"))
+                shouldLog("a message to b has not arrived: it is too long")
+                eventually(20.seconds) {
+                    told shouldContain Unanswered("samid5", "b", "overloaded", "a has answered in vain: it is too long")
+                }
+                cluster.receives("scout1", Say("mid6", null, "achieve", "b", "a", "make"))
+                eventually(20.seconds) { believed("a").filter { it.startsWith("object") }.size shouldBe 1 }
+                cluster.receives("scout1", Say("samid6", null, "askOne", "b", "a", "object(X)"))
+                eventually(20.seconds) {
+                    told.filterIsInstance<Unanswered>().map { it.question to it.error } shouldContain ("samid6" to "not_sendable")
+                }
             }
         }
 
@@ -252,6 +284,13 @@ class FleetAgentsSpec : FunSpec({
             cluster.receives("scout1", Kill("a", "b", 0))
             eventually(20.seconds) { fleet.directory.names shouldNotContain "a" }
             shouldThrow<Refused> { cluster.receives("scout1", Kill("a", "b", 0)) }.error shouldBe "no_agent"
+        }
+    }
+
+    test("an agent that is not there or out of touch is not killed, which fails the plan as a message to it does") {
+        val program = "+!go <- !end(nobody); !end(late). +!end(Agent) <- .kill_agent(Agent). -!end(Agent)[error(E)] <- +failed(Agent,E)."
+        computer(program) {
+            shouldBelieve("a", "failed(nobody,no_agent)[source(self)]", "failed(late,unreachable)[source(self)]")
         }
     }
 

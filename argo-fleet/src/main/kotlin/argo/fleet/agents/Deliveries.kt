@@ -54,7 +54,8 @@ internal object Deliveries {
 
 /**
  * Makes an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
- * intention is suspended. Belongs to one agent.
+ * intention is suspended; an atomic one holds all others of its agent. The cluster ends each wait: the longest is that for a computer whose
+ * cable is out, which is missed after three rounds of signs of life (`failures` of the stack). Belongs to one agent.
  *
  * @param questions the agent's questions to other computers, including those of the action
  */
@@ -94,11 +95,14 @@ internal class DeliveryWait(private val questions: Questions) {
 }
 
 /** Returns the exception for a message that has not arrived for [reason], with the `error(…)` that plans match. */
-internal fun errorOf(reason: Throwable): JasonException = when (val cause = reason.reason()) {
-    is JasonException -> cause
-    is Refused -> AwaitedOutside.exceptionOf(cause.error, cause.message.orEmpty())
-    is Overloaded -> AwaitedOutside.exceptionOf("overloaded", cause.message.orEmpty())
-    else -> AwaitedOutside.exceptionOf("unreachable", cause.message ?: "$cause")
+internal fun errorOf(reason: Throwable): JasonException =
+    reason.reason() as? JasonException ?: refusalOf(reason).let { AwaitedOutside.exceptionOf(it.error, it.message.orEmpty()) }
+
+/** Returns [reason], why a message has not arrived, as a refusal, which other computers understand. */
+internal fun refusalOf(reason: Throwable): Refused = when (val cause = reason.reason()) {
+    is Refused -> cause
+    is Overloaded -> Refused("overloaded", cause.message.orEmpty())
+    else -> Refused("unreachable", cause.message ?: "$cause")
 }
 
 /** Returns the exception for a message to an agent that does not exist. Without a fleet, Jason gives the same error. */

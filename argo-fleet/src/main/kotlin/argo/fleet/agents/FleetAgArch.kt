@@ -9,6 +9,7 @@ import argo.fleet.node.NOT_READABLE
 import argo.fleet.node.Place
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
+import argo.fleet.node.Unanswered
 import argo.fleet.node.unreachable
 import argo.mind.Mind
 import argo.observing.AgentThere
@@ -92,11 +93,31 @@ internal class FleetAgArch(
         val content = try {
             MessageContent.write(message.propCont)
         } catch (refused: IllegalArgumentException) {
-            throw AwaitedOutside.exceptionOf("not_sendable", "$message cannot go to another computer: ${refused.message}")
+            val reason = Refused("not_sendable", "$message cannot go to another computer: ${refused.message}")
+            tellUnanswered(message, computer, reason)
+            throw errorOf(reason)
         }
         if (message.isAsk && message.msgId.startsWith(Message.msgIdSyncAskPrefix)) questions.ask(message.msgId, message.receiver, computer)
         val said = Say(message.msgId, message.inReplyTo, message.ilForce, message.sender, message.receiver, content, term)
-        Deliveries.add(Delivery(message.msgId, message.receiver, logger, fleet.send(computer, said)))
+        val end = fleet.send(computer, said)
+        end.whenComplete { _, failed -> if (failed != null) tellUnanswered(message, computer, refusalOf(failed)) }
+        Deliveries.add(Delivery(message.msgId, message.receiver, logger, end))
+    }
+
+    /**
+     * If [answer], which does not arrive at [computer] for [reason], answers a question, tells the asker, since that waits. An asker that
+     * is out of touch notices it itself.
+     */
+    private fun tellUnanswered(answer: Message, computer: String, reason: Refused) {
+        val question = answer.inReplyTo ?: return
+        val words = "$agName has answered in vain: ${reason.message}".take(MAX_REASON)
+        fleet.send(computer, Unanswered(question, answer.receiver, reason.error, words))
+    }
+
+    /** Fails the agent's question, whose answer does not arrive. If no intention waits for the answer, tells the log. Any thread. */
+    fun take(message: Unanswered) {
+        val isTold = questions.fail(message.question, Refused(message.error, message.reason))
+        if (!isTold) logger.warning("a question gets no answer: ${message.reason}")
     }
 
     /** Sends [message] to all other agents. If sending fails for some agents, the others still get [message]. */
@@ -210,5 +231,8 @@ internal class FleetAgArch(
         const val FIRST_SLEEP_MS = 50L
         const val SLEEP_STEP_MS = 100L
         const val LAST_SLEEP_MS = 1000L
+
+        /** The most characters that tell an asker why its question gets no answer; a reason may contain the answer. */
+        const val MAX_REASON = 500
     }
 }

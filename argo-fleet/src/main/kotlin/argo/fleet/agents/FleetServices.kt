@@ -4,6 +4,8 @@ import argo.fleet.node.Fleet
 import argo.fleet.node.Kill
 import argo.fleet.node.Place
 import argo.fleet.node.Stop
+import argo.fleet.node.unreachable
+import jason.JasonException
 import jason.asSemantics.Agent
 import jason.infra.local.BaseLocalMAS
 import jason.infra.local.LocalAgArch
@@ -70,10 +72,15 @@ internal class FleetServices(
 
     override fun getAgentsQty(): Int = fleet.directory.names.size
 
+    /** @throws JasonException with an `error(…)` for plans if no computer in touch has [agent] */
     override fun killAgent(agent: String, by: String, deadlineMs: Int): Boolean {
-        val place = fleet.directory.find(agent)
-        if (place !is Place.There) return super.killAgent(agent, by, deadlineMs)
-        Deliveries.add(Delivery(null, agent, log, fleet.send(place.computer, Kill(agent, by, deadlineMs))))
+        val directory = fleet.directory
+        when (val place = directory.find(agent)) {
+            Place.Here -> return super.killAgent(agent, by, deadlineMs)
+            is Place.There -> Deliveries.add(Delivery(null, agent, log, fleet.send(place.computer, Kill(agent, by, deadlineMs))))
+            is Place.Off -> throw errorOf(unreachable(agent, place, directory))
+            Place.Unknown -> throw noAgent("there is no agent $agent in the fleet for $by to kill")
+        }
         return true
     }
 

@@ -31,10 +31,8 @@ internal class Questions {
         open[id]?.asked?.remove(agent)
     }
 
-    /** Fails the question [id], whose action may not have called [end] yet. */
-    fun fail(id: String?, reason: Throwable) {
-        id?.let(open::get)?.end?.complete(errorOf(reason))
-    }
+    /** Fails the question [id], whose action may not have called [end] yet. Returns false if nobody waits for its end. */
+    fun fail(id: String?, reason: Throwable): Boolean = id?.let(open::get)?.end?.complete(errorOf(reason)) ?: false
 
     /** Fails the questions to agents that have not answered and, by [now], have left the computer where they were asked. */
     fun failLost(now: Directory) = open.forEach { (id, question) ->

@@ -18,6 +18,9 @@ internal interface LocalAgents {
     /** Puts [message] into its receiver's mailbox. @throws Refused if the receiver is not here, or cannot read [message] */
     fun take(message: Say)
 
+    /** Fails the question of an agent, if that is here and still waits for the answer. */
+    fun take(message: Unanswered)
+
     /** Kills an agent. @throws Refused if the agent is not here, or does not let itself be killed */
     fun kill(wanted: Kill)
 
@@ -157,6 +160,7 @@ internal class Fleet(
             }
             when (read) {
                 is Say -> take(from, read)
+                is Unanswered -> agents.take(read)
                 is RosterNews -> take(from, read)
                 is Kill -> agents.kill(read)
                 is Stop -> agents.stop(read)

@@ -52,6 +52,11 @@ internal data class Say(
     val term: Long = 0,
 ) : FleetMessage
 
+/** The answer to the [question] of the agent [to] does not arrive; [error] and [reason] tell why. */
+@Serializable
+@SerialName("unanswered")
+internal data class Unanswered(val question: String, val to: String, val error: String, val reason: String) : FleetMessage
+
 /** A service that [agent] has registered by `.df_register`. */
 @Serializable
 internal data class Offer(val agent: String, val service: String)
