@@ -47,6 +47,10 @@ internal class FleetMas :
      */
     private val starter = Executors.newSingleThreadExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
 
+    init {
+        starter.execute {} // has the thread from the beginning, since the machine may have none left later
+    }
+
     /**
      * Reads the project in [file]. Jason ends the program if the file has a wrong form.
      *
@@ -82,6 +86,7 @@ internal class FleetMas :
         services = FleetServices(this, fleet, facilitator, log)
         leases = Leases(fleet, agents.filter { it.isMovable }.associate { it.name to it.computers }, hosts, this, log)
         RuntimeServicesFactory.set(services)
+        agents.filter { fleet.here in it.computers }.forEach(::tellWithoutEffect)
         create()
         fleet.join(this, leases)
         fleet.awaitOthers(MEETING_MS) // so that no first message finds its receiver's computer unknown
@@ -90,37 +95,47 @@ internal class FleetMas :
     }
 
     override fun createAgs() = placed.filter { it.computers == listOf(fleet.here) }.forEach { agent ->
-        create(agent) { FleetAgArch(fleet) }?.let(createdAgents::add)
-    }
-
-    /** Creates [agent] and returns its infrastructure; null: creating failed, and the log says why. */
-    private fun create(agent: PlacedAgent, architecture: () -> FleetAgArch): FleetAgArch? {
-        val wanted = agent.parameters
-        val odd = wanted.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
-        if (odd.isNotEmpty()) log.warning("${agent.name}: ${odd.joinToString()} has no effect in a fleet")
         try {
-            services.createOwn(agent.name, architecture) {
-                createAgent(
-                    agent.name, "${wanted.source}", wanted.agClass.className, wanted.agArchClasses, wanted.bbClass,
-                    wanted.getAsSetts(debug, project.controlClass != null), null,
-                )
-            }
-            return getAg(agent.name) as FleetAgArch
+            createdAgents.add(create(agent) { FleetAgArch(fleet) })
         } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // a class that an agent needs may be missing
             log.log(Level.SEVERE, "agent ${agent.name} cannot be created: ${failed.message}", failed)
-            return null
         }
     }
 
+    /** Creates [agent] and returns its infrastructure. */
+    private fun create(agent: PlacedAgent, architecture: () -> FleetAgArch): FleetAgArch {
+        val wanted = agent.parameters
+        services.createOwn(agent.name, architecture) {
+            createAgent(
+                agent.name, "${wanted.source}", wanted.agClass.className, wanted.agArchClasses, wanted.bbClass,
+                wanted.getAsSetts(debug, project.controlClass != null), null,
+            )
+        }
+        return getAg(agent.name) as FleetAgArch
+    }
+
+    private fun tellWithoutEffect(agent: PlacedAgent) {
+        val odd = agent.parameters.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
+        if (odd.isNotEmpty()) log.warning("${agent.name}: ${odd.joinToString()} has no effect in a fleet")
+    }
+
     override fun start(agent: String, reign: Reign, mind: MindNews?) = starter.execute {
-        val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }
-        when {
-            created == null -> leases.cannotStart(agent, reign)
-            reign.isValid() -> services.startAgent(agent)
-            else -> {
-                stop(created)
-                leases.giveUp(agent, reign) // computers may grant it again before the leases notice that it has ended
-            }
+        try {
+            begin(create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }, reign, mind)
+        } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // the machine may have no thread left
+            leases.cannotStart(agent, reign, failed)
+            getAg(agent)?.let(::stop)
+        }
+    }
+
+    private fun begin(created: FleetAgArch, reign: Reign, mind: MindNews?) {
+        val agent = created.agName
+        if (reign.isValid()) {
+            services.startAgent(agent)
+            log.info("$agent runs on ${fleet.here} now" + if (mind == null) "" else ", with what it believed")
+        } else {
+            stop(created)
+            leases.giveUp(agent, reign) // computers may grant it again before the leases notice that it has ended
         }
     }
 

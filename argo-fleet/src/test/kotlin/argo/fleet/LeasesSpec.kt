@@ -2,21 +2,36 @@ package argo.fleet
 
 import argo.fleet.cluster.Overloaded
 import argo.fleet.node.Claim
+import argo.fleet.node.Directory
+import argo.fleet.node.Fleet
 import argo.fleet.node.FleetMessage
 import argo.fleet.node.Grant
+import argo.fleet.node.Kill
+import argo.fleet.node.LeasedAgents
+import argo.fleet.node.Leases
+import argo.fleet.node.LocalAgents
 import argo.fleet.node.MindNews
+import argo.fleet.node.Reign
 import argo.fleet.node.RosterNews
+import argo.fleet.node.Say
+import argo.fleet.node.Stop
+import argo.fleet.node.Unanswered
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import kotlinx.coroutines.delay
+import java.io.IOException
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+import java.util.logging.Logger
 import kotlin.time.Duration.Companion.seconds
 
 /** An agent that outlives its computer, on one of three computers, whose others are played here in real time. */
@@ -81,6 +96,53 @@ class LeasesSpec : FunSpec({
         }
     }
 
+    test("an agent for which the machine has no thread left is given up, and the log tells when it is tried again") {
+        val isUnable = AtomicBoolean()
+        OneComputer("m agentClass argo.fleet.ThreadlessAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                if ((one.message as? RosterNews)?.unable == setOf("m")) isUnable.set(true)
+                (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            base.shouldLog("m cannot be started here: unable to create native thread; if no other computer runs it")
+            isUnable.get() shouldBe true
+            eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
+        }
+    }
+
+    test("an agent that could not be started is tried again, and the same reason is told once") {
+        val now = AtomicLong()
+        val cluster = FakeCluster("base")
+        val fleet = Fleet(cluster, mapOf("m" to listOf("base", "scout1")), emptyMap(), Logger.getLogger("argo.test.retry"))
+        val told = CopyOnWriteArrayList<String>()
+        val log = Logger.getLogger("argo.test.leases").apply { setFilter { told.add(it.message) && false } }
+        val starts = AtomicInteger()
+        lateinit var leases: Leases
+        val agents = object : LeasedAgents {
+            override fun start(agent: String, reign: Reign, mind: MindNews?) {
+                if (starts.incrementAndGet() < 3) leases.cannotStart(agent, reign, IOException("there is no m.asl"))
+            }
+
+            override fun stop(agent: String) = Unit
+        }
+        leases = Leases(fleet, mapOf("m" to listOf("base", "scout1")), 3, agents, log, now::get)
+        leases.use {
+            fleet.join(Nobody, leases)
+            cluster.answer = { one ->
+                one.end.complete(null)
+                (one.message as? Claim)?.let { cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
+            }
+            cluster.view("scout1" to "1", "scout2" to "1")
+            leases.begin()
+            eventually(20.seconds) {
+                now.addAndGet(1_000_000_000)
+                starts.get() shouldBe 3
+            }
+            told.filter { "there is no m.asl" in it }.size shouldBe 1
+        }
+    }
+
     test("the mind is told again until all have it") {
         OneComputer("m at \"base, scout1\";", "m" to "place(north).").use { base ->
             val minds = CopyOnWriteArrayList<MindNews>()
@@ -126,17 +188,22 @@ class LeasesSpec : FunSpec({
         LateAgent.hold()
         OneComputer("m agentClass argo.fleet.LateAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
             val isGranting = AtomicBoolean(true)
+            val granted = AtomicLong() // the term of the last claim that was granted
             base.cluster.answer = { one ->
                 one.end.complete(null)
                 val claim = one.message as? Claim
-                if (claim != null && isGranting.get()) base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
+                if (claim != null && isGranting.get()) {
+                    base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
+                    granted.set(claim.term)
+                }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
             eventually(20.seconds) { LateAgent.isHeld() shouldBe true }
             isGranting.set(false)
             base.shouldLog("m stops here")
+            val before = granted.get()
             isGranting.set(true)
-            base.shouldLog("m runs on base now", times = 2)
+            eventually(20.seconds) { granted.get() shouldBeGreaterThan before }
             LateAgent.release()
             base.shouldBelieve("m", "place(north)[source(self)]")
             delay(1.seconds) // the first one would have been taken away by then, and the second with it
@@ -144,6 +211,30 @@ class LeasesSpec : FunSpec({
         }
     }
 })
+
+/** A computer without agents of its own. */
+private object Nobody : LocalAgents {
+    override fun take(message: Say) = Unit
+    override fun take(message: Unanswered) = Unit
+    override fun kill(wanted: Kill) = Unit
+    override fun stop(wanted: Stop) = Unit
+    override fun directoryChanged(before: Directory, now: Directory) = Unit
+    override fun refused(reason: String) = Unit
+}
+
+/** An agent that the machine has no thread for: the thread that has created it can make no other thread. */
+class ThreadlessAgent : Agent() {
+    override fun initAg() {
+        super.initAg()
+        NO_THREAD.set(Unit)
+    }
+
+    private companion object {
+        val NO_THREAD = object : InheritableThreadLocal<Unit>() {
+            override fun childValue(parent: Unit?): Unit = throw OutOfMemoryError("unable to create native thread")
+        }
+    }
+}
 
 /** An agent, the first of which is created only when a test has it. */
 class LateAgent : Agent() {

@@ -10,7 +10,7 @@ internal data class Roster(
 ) {
     fun with(news: RosterNews): Roster {
         val old = if (news.isWhole) Roster() else this
-        return Roster(old.agents - news.gone + news.came, old.offers - news.withdrawn + news.offered, old.unable + news.unable)
+        return Roster(old.agents - news.gone + news.came, old.offers - news.withdrawn + news.offered, old.unable + news.unable - news.able)
     }
 }
 

@@ -97,6 +97,9 @@ internal class Fleet(
     /** Notes that this computer cannot start [agent], which outlives its computer, so that others do. */
     fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
+    /** Notes that this computer tries to start [agent] again if it is missing. */
+    fun canStart(agent: String) = tell(RosterNews(able = setOf(agent)))
+
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
 
     fun withdraw(offer: Offer) = tell(RosterNews(withdrawn = setOf(offer)))

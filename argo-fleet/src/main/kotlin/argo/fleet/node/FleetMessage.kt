@@ -66,6 +66,7 @@ internal data class Offer(val agent: String, val service: String)
  *
  * @property isWhole true: these are all agents and services; false: only the changes since the last roster
  * @property unable the agents that outlive their computers and that the sender cannot start
+ * @property able those that it tries to start again
  * @property asksBack whether the receiver must send its own roster, since the sender does not know it
  */
 @Serializable
@@ -77,6 +78,7 @@ internal data class RosterNews(
     val offered: Set<Offer> = emptySet(),
     val withdrawn: Set<Offer> = emptySet(),
     val unable: Set<String> = emptySet(),
+    val able: Set<String> = emptySet(),
     val asksBack: Boolean = false,
 ) : FleetMessage
 

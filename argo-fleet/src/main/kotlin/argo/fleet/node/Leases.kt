@@ -36,6 +36,7 @@ internal class Reign(private val lease: Lease, val term: Long) {
  *
  * @param planned the agents that outlive their computers, each with the computers that it may run on
  * @param hosts the number of computers of the fleet
+ * @param nanos a clock in ns that never goes back
  */
 internal class Leases(
     private val fleet: Fleet,
@@ -43,8 +44,8 @@ internal class Leases(
     hosts: Int,
     private val agents: LeasedAgents,
     private val log: Logger,
+    private val nanos: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val nanos = System::nanoTime
     private val start = nanos()
     private val held = planned.mapValues { (agent, computers) ->
         Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
@@ -104,10 +105,13 @@ internal class Leases(
         return CompletableFuture.allOf(*ends.toTypedArray())
     }
 
-    /** Gives up [agent] in its [reign], since this computer cannot run it, so that the next computer runs it. Any thread. */
-    fun cannotStart(agent: String, reign: Reign) {
-        giveUp(agent, reign)
-        fleet.cannotStart(agent)
+    /**
+     * Gives up [agent] in its [reign], since this computer cannot start it for [reason], so that the next computer runs it. Later this
+     * computer may try again. Any thread.
+     */
+    fun cannotStart(agent: String, reign: Reign, reason: Throwable) {
+        fleet.cannotStart(agent) // first, or this computer would claim the agent again at once
+        synchronized(this) { held(agent).cannotStart(reign, reason) }
     }
 
     /** Gives up [agent] in its [reign]; this computer may claim the agent again. Any thread. */
@@ -128,6 +132,8 @@ internal class Leases(
         private var mind: MindNews? = null
         private var reign: Reign? = null
         private var missingSince: Long? = null
+        private val retry = Retry(nanos)
+        private var told: String? = null // the last reason why this computer could not start the agent
 
         fun take(news: MindNews) {
             val known = mind
@@ -149,6 +155,7 @@ internal class Leases(
                 giveUp(running)
                 agents.stop(agent)
             }
+            if (retry.isDue()) fleet.canStart(agent)
             if (reign != null || isMine()) claim()
         }
 
@@ -163,12 +170,22 @@ internal class Leases(
             lease.giveUp()
         }
 
+        fun cannotStart(failed: Reign, reason: Throwable) {
+            giveUp(failed)
+            val seconds = TimeUnit.NANOSECONDS.toSeconds(retry.failed())
+            if ("$reason" != told) {
+                log.log(Level.SEVERE, reason) {
+                    "$agent cannot be started here: ${reason.message}; if no other computer runs it, this one tries again in $seconds s," +
+                        " and then more and more rarely"
+                }
+            }
+            told = "$reason"
+        }
+
         private fun begin() {
             val begun = Reign(lease, lease.ownTerm)
             reign = begun
-            val known = mind
-            log.info("$agent runs on ${fleet.here} now" + if (known == null) "" else ", with what it believed")
-            agents.start(agent, begun, known)
+            agents.start(agent, begun, mind)
         }
 
         /** Whether this computer should run the agent, since no computer in touch does. */

@@ -20,6 +20,8 @@ class FleetMessageSpec : FunSpec({
         Say(null, null, "achieve", "a", "b", "g"),
         RosterNews(isWhole = true, came = setOf("a", "b"), offered = setOf(Offer("a", "sells(x)"))),
         RosterNews(gone = setOf("a"), withdrawn = setOf(Offer("a", "s")), unable = setOf("m")),
+        RosterNews(able = setOf("m")),
+        Unanswered("samid2", "a", "not_sendable", "it is a Java object"),
         Kill("a", "b", 100),
         Stop(0, true, 3),
         Claim("a", 1, 2),
