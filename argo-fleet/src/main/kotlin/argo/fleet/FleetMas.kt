@@ -19,9 +19,12 @@ import argo.recording.agent.AwaitedOutside
 import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
 import jason.mas2j.ClassParameters
+import jason.mas2j.parser.ParseException
 import jason.mas2j.parser.TokenMgrError
+import jason.mas2j.parser.mas2j
 import jason.runtime.MASConsoleLogFormatter
 import jason.runtime.RuntimeServicesFactory
+import java.io.File
 import java.io.InputStream
 import java.util.concurrent.Executors
 import java.util.logging.ConsoleHandler
@@ -52,20 +55,26 @@ internal class FleetMas :
     }
 
     /**
-     * Reads the project in [file]. Jason ends the program if the file has a wrong form.
+     * Reads the project in [file].
      *
-     * @throws FleetProjectException if the file contains a character that no project has
+     * @throws FleetProjectException if the file has a wrong form
      */
     fun read(file: String): FleetProject {
-        try {
-            init(arrayOf(file, "--no-net"))
-        } catch (unreadable: TokenMgrError) {
-            throw FleetProjectException("${unreadable.message}; a name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
-        }
+        requireForm(File(file))
+        init(arrayOf(file, "--no-net"))
         useJasonsFormat()
         val read = FleetProject(project)
         project.infrastructure = ClassParameters(LOCAL) // Jason expects options of its own infrastructure here
         return read
+    }
+
+    /** For a wrong form, Jason's own reading ends the program with a stack trace. */
+    private fun requireForm(file: File) = try {
+        file.inputStream().use { mas2j(it).mas() }
+    } catch (unreadable: TokenMgrError) {
+        throw FleetProjectException("${unreadable.message}; a name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
+    } catch (unreadable: ParseException) {
+        throw FleetProjectException("it is no project: ${unreadable.message?.lineSequence()?.first()}")
     }
 
     /** Unless the project has a file for its log, the log goes to the console. Jason would open a window. */

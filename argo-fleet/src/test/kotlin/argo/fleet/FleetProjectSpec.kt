@@ -4,10 +4,12 @@ import argo.fleet.cluster.ClusterSettings
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.datatest.withData
+import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.mas2j.MAS2JProject
 import jason.mas2j.parser.mas2j
+import kotlin.io.path.writeText
 
 /** What a `.mas2j` says about its fleet. */
 class FleetProjectSpec : FunSpec({
@@ -25,6 +27,17 @@ class FleetProjectSpec : FunSpec({
 
     test("a computer without an address has its own name as its host's") {
         fleet("Fleet(hosts([localhost]))", "a at \"localhost\";").hosts.getValue("localhost").address.isLoopbackAddress shouldBe true
+    }
+
+    test("a file that is no project is refused in one line, without a stack trace") {
+        val file = tempdir().toPath().resolve("garden.mas2j")
+        listOf(
+            "MAS garden { infrastructure: Fleet(insecure)) }" to "it is no project: Encountered \" \")\" \") \"\" at line 1, column 45",
+            "MAS garden { infrastructure: Fleet(hosts([rasp-pi])) }" to "a name with a hyphen stands in quotes",
+        ).forEach { (text, reason) ->
+            file.writeText(text)
+            shouldThrow<FleetProjectException> { FleetMas().read("$file") }.message shouldContain reason
+        }
     }
 
     test("a name that is no word of AgentSpeak stands in quotes") {

@@ -10,8 +10,8 @@ import java.util.logging.Logger
 /** The computers of a fleet on the page of an agent. */
 class ComputersSpec : FunSpec({
     test("a change of the computers is news, and of agents that are too many to be shown the number is told") {
-        val agents = List(60) { AgentThere("a$it", 8080) }
-        var now = listOf(ObservedComputer("base", "10.8.0.1", isHere = true, isNear = true, isOn = true, agents))
+        val sixty = List(60) { AgentThere("a$it", 8080) }
+        var now = listOf(ObservedComputer("base", "10.8.0.1", isHere = true, isNear = true, isOn = true, sixty))
         val log = Logger.getLogger("argo.view.test.computers")
         val agent = object : ObservedAgent by Nobody {
             override val computers get() = now

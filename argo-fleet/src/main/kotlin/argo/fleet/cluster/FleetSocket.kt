@@ -7,6 +7,7 @@ import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.Socket
 import java.net.SocketAddress
+import java.net.SocketException
 import java.net.SocketTimeoutException
 import java.security.cert.CertificateException
 import java.security.cert.X509Certificate
@@ -103,13 +104,21 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
 
     private fun reason(e: IOException): String = when {
         e is Refusal -> "is refused: ${e.message}"
-        e is SSLException -> "does not begin TLS as the fleet does: " +
-            (generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is CertificateException } ?: e).message
+        e is SSLException -> "does not begin TLS as the fleet does: ${reasonOfTls(e)}"
+        e is SocketException -> "breaks the connection off: ${e.message}"
         e is SocketTimeoutException -> "does not greet within $PATIENCE_MILLIS ms"
         else -> e.message.orEmpty()
     }
 
+    private fun reasonOfTls(e: SSLException): String? {
+        val here = generateSequence<Throwable>(e) { it.cause }.find { it is CertificateException }
+        if (here != null || REFUSED_THERE !in e.message.orEmpty()) return (here ?: e).message
+        return "it does not know the certificate of this computer, which belongs there as fleet/${entrance.greeting.name}.crt"
+    }
+
     private companion object {
+        /** TLS's word for a certificate that the other end does not accept. */
+        const val REFUSED_THERE = "certificate_unknown"
         const val PATIENCE_MILLIS = 1500
     }
 }
