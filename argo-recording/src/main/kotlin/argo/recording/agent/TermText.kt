@@ -75,7 +75,7 @@ private fun perceptOf(text: String): Literal? = try {
 private fun <T> parsed(text: String, parse: (String) -> T): T = try {
     parse(text)
 } catch (unreadable: ParseException) {
-    throw IllegalArgumentException("a recording holds \"$text\", which Jason cannot read", unreadable)
+    throw IllegalArgumentException("Jason cannot read \"$text\"", unreadable)
 } catch (unreadable: TokenMgrError) {
-    throw IllegalArgumentException("a recording holds \"$text\", which Jason cannot read", unreadable)
+    throw IllegalArgumentException("Jason cannot read \"$text\"", unreadable)
 }
