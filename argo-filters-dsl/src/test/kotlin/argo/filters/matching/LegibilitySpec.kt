@@ -6,7 +6,8 @@ import io.kotest.matchers.string.shouldContain
 
 class LegibilitySpec : FunSpec({
     listOf(
-        "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "wall(true)", "t(-3.5)[level(2)]", "p('Front Left')", "'Öl'(\"grün\")",
+        "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "wall(true)", "t(-3.5)[level(2)]", "p('Front Left')",
+        "'Öl'(\"grün\")",
     ).forEach {
         test("$it can be read") { whyUnreadable(it) shouldBe null }
     }
