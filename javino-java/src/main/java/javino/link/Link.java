@@ -272,17 +272,21 @@ public final class Link implements AutoCloseable {
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.session().takeHeard(); // messages from before the command are no answer to it
         sendAndAwait(message, timeoutMillis);
-        return listen(timeoutMillis);
+        return listen(
+                timeoutMillis,
+                noAnswerTo(message),
+                "the board has taken it as a command: does the sketch send a message behind it?");
+    }
+
+    private static String noAnswerTo(String message) {
+        return "gave no answer to \"" + message + "\"";
     }
 
     private Reply exchange(Frame request, int timeoutMillis) throws PortException {
         Reply answered = reading(() -> {
             Reply answer = channel.request(request, timeoutMillis);
             if (answer == null && !isCommand(request.text())) {
-                throw new PortTimeoutException(
-                        port(),
-                        "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
-                                + " ms; " + doubt(transport.doubt()));
+                throw silence(noAnswerTo(request.text()), timeoutMillis, transport.doubt());
             }
             return answer;
         });
@@ -388,17 +392,23 @@ public final class Link implements AutoCloseable {
      * @throws PortTimeoutException if none came
      */
     public Reply listen(int timeoutMillis) throws PortException {
+        return listen(timeoutMillis, "sent no message", "does the board send percepts unasked?");
+    }
+
+    private Reply listen(int timeoutMillis, String missed, String usualDoubt) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
             Reply message = channel.listen(timeoutMillis);
             if (message == null) {
-                throw new PortTimeoutException(
-                        port(),
-                        "port " + port() + " sent no message within " + timeoutMillis + " ms; "
-                                + doubt("does the board send percepts unasked?"));
+                throw silence(missed, timeoutMillis, usualDoubt);
             }
             return message;
         });
+    }
+
+    private PortTimeoutException silence(String missed, int timeoutMillis, String usualDoubt) {
+        return new PortTimeoutException(
+                port(), "port " + port() + " " + missed + " within " + timeoutMillis + " ms; " + doubt(usualDoubt));
     }
 
     /**
