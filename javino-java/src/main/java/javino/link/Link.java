@@ -35,7 +35,7 @@ import javino.wire.CommandItem;
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
- * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until the start, a request is repeated every 250 ms, or after its
+ * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then, a request is repeated every 250 ms, or after its
  * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
  * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
@@ -375,7 +375,7 @@ public final class Link implements AutoCloseable {
 
     /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority. The command waits at most five seconds for the line. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
-        sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
+        sendAndAwait(Frame.ofCommand(command), options, CommandLoop.STUCK_MILLIS);
     }
 
     private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
