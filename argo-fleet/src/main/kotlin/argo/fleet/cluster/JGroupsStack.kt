@@ -25,7 +25,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     merging(settings.hosts.size),
     failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
-    VERIFY_SUSPECT2().apply { setTimeout(VERIFYING) },
+    VERIFY_SUSPECT2().setTimeout(VERIFYING),
     // these three carry the views to all computers, but not this project's messages: see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),
@@ -93,18 +93,14 @@ private fun merging(hosts: Int) = MERGE3().apply {
     setMinInterval(longest / 2)
 }
 
-/**
- * Sends a sign of life to each computer about once a second, with more than ten hosts less often: so no more than with ten.
- * A computer without a sign in two rounds is suspected, within three rounds.
- */
-private fun failures(hosts: Int) = FD_ALL3().apply {
+/** With more than twenty hosts, signs of life go less often, so that many computers on one machine leave it idle. */
+private fun failures(hosts: Int): FD_ALL3 {
     val round = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
-    setInterval(round)
-    setTimeout(2 * round)
+    return SignsOfLife().setInterval(round).setTimeout(2 * round)
 }
 
 private const val SIGN_OF_LIFE = 800L
-private const val SIGN_OF_LIFE_FOR_EACH = 80L
+private const val SIGN_OF_LIFE_FOR_EACH = 40L
 private const val VERIFYING = 200L
 private const val JOINING = 1000L
 private const val VIEW_ACKNOWLEDGEMENTS = 500L
