@@ -22,7 +22,7 @@ import java.net.InetSocketAddress
 internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Protocol> = listOf(
     transport(settings.bind, sockets),
     discovery(settings),
-    merging(settings.hosts.size),
+    merging(settings),
     failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
     VERIFY_SUSPECT2().setTimeout(VERIFYING),
@@ -83,14 +83,13 @@ private fun discovery(settings: ClusterSettings): Discovery {
     return found.apply { asyncDiscovery<Discovery>(true) }
 }
 
-/**
- * When separated parts of a fleet can reach each other again, they notice this within 1.6 times the longer interval. Once an interval each
- * computer asks each host, so intervals grow with the fleet.
- */
-private fun merging(hosts: Int) = MERGE3().apply {
-    val longest = maxOf(MERGING, MERGING_FOR_EACH * hosts)
-    setMaxInterval(longest)
-    setMinInterval(longest / 2)
+private fun merging(settings: ClusterSettings): MERGE3 {
+    val others = settings.hosts.filter { (name, address) -> name != settings.here && !address.isUnresolved }.values
+    val merging = if (settings.hosts.isEmpty()) MERGE3() else Reunion(others)
+    return merging.apply {
+        setMaxInterval(MERGING)
+        setMinInterval(MERGING / 2)
+    }
 }
 
 /** With more than twenty hosts, signs of life go less often, so that many computers on one machine leave it idle. */
@@ -106,7 +105,6 @@ private const val JOINING = 1000L
 private const val VIEW_ACKNOWLEDGEMENTS = 500L
 private const val CONNECTING = 500
 private const val MERGING = 1500L
-private const val MERGING_FOR_EACH = 200L
 private const val MAX_BYTES = 1 shl 20
 private const val BUFFER = 32 shl 10
 private const val BUNDLE = 24 shl 10
