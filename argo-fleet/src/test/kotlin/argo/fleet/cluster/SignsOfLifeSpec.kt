@@ -9,6 +9,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import org.jgroups.JChannel
 import org.jgroups.Message
 import org.jgroups.protocols.DISCARD
+import org.jgroups.protocols.FailureDetection
 import org.jgroups.protocols.SHARED_LOOPBACK
 import org.jgroups.protocols.SHARED_LOOPBACK_PING
 import org.jgroups.protocols.UNICAST3
@@ -34,7 +35,8 @@ class SignsOfLifeSpec : FunSpec({
         val signs = AtomicInteger()
 
         override fun down(message: Message): Any? {
-            if (message.headers.values.any { "Heartbeat" in it.javaClass.name }) signs.addAndGet(if (message.dest == null) members - 1 else 1)
+            val isSign = message.headers.values.any { it is FailureDetection.HeartbeatHeader }
+            if (isSign) signs.addAndGet(if (message.dest == null) members - 1 else 1)
             return down_prot.down(message)
         }
     }
