@@ -255,6 +255,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         if (!eachIsStopped) super.stop()
     }
 
+    private val saved by lazy { SavedArch(this) }
+
+    /** Java's serialization of an agent calls this, and writes the result in place of the architecture. */
+    protected fun writeReplace(): Any = saved
+
     /**
      * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first
      * architecture, and some architectures cannot be stopped twice.
