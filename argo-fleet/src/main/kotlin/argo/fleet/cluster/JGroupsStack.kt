@@ -8,7 +8,6 @@ import org.jgroups.protocols.PerDestinationBundler
 import org.jgroups.protocols.TCP
 import org.jgroups.protocols.TCPPING
 import org.jgroups.protocols.UNICAST3
-import org.jgroups.protocols.VERIFY_SUSPECT2
 import org.jgroups.protocols.pbcast.GMS
 import org.jgroups.protocols.pbcast.NAKACK2
 import org.jgroups.protocols.pbcast.STABLE
@@ -25,7 +24,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     merging(settings),
     failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
-    VERIFY_SUSPECT2().setTimeout(VERIFYING),
+    Verification().setTimeout(VERIFYING),
     // these three carry the views to all computers, but not this project's messages: see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),

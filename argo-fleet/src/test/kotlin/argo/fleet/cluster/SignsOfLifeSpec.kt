@@ -13,7 +13,6 @@ import org.jgroups.protocols.FailureDetection
 import org.jgroups.protocols.SHARED_LOOPBACK
 import org.jgroups.protocols.SHARED_LOOPBACK_PING
 import org.jgroups.protocols.UNICAST3
-import org.jgroups.protocols.VERIFY_SUSPECT2
 import org.jgroups.protocols.pbcast.GMS
 import org.jgroups.protocols.pbcast.NAKACK2
 import org.jgroups.protocols.pbcast.STABLE
@@ -47,7 +46,7 @@ class SignsOfLifeSpec : FunSpec({
         private val channels = List(count) { place ->
             val signs = SignsOfLife().setInterval(100).setTimeout(200)
             JChannel(
-                SHARED_LOOPBACK(), SHARED_LOOPBACK_PING(), net[place], counting[place], signs, VERIFY_SUSPECT2().setTimeout(100), NAKACK2(),
+                SHARED_LOOPBACK(), SHARED_LOOPBACK_PING(), net[place], counting[place], signs, Verification().setTimeout(100), NAKACK2(),
                 UNICAST3(), STABLE(), GMS().printLocalAddress(false).setViewAckCollectionTimeout(200),
             ).name("$place").connect("signs")
         }
