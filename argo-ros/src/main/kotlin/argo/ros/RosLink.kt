@@ -282,7 +282,8 @@ internal class RosLink private constructor(
     override fun close() = gone("it was closed", if (isOpen) commands.cancellations().onEach(::send) else emptyList())
 
     companion object {
-        private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
+        /** The log of all robots. It has the package's name, of which Jason shows the last part, `ros`. */
+        private val LOG: Logger = Logger.getLogger(RosLink::class.java.packageName)
         private const val CHECKING_MS = 3_000L
         private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
