@@ -120,7 +120,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun init() {
         super.init()
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
-        val options = ArchOptions(ts.settings, log)
+        val options = ArchOptions(ts.settings, log, isReplay = platform.boundary != null)
         Infrastructure.check(log)
         Infrastructure.checkFleetOption(ts.settings.getUserParameter(Infrastructure.FLEET_OPTION), architectures(ts).last(), log)
         policy = options.policy

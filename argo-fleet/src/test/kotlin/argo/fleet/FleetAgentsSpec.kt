@@ -18,8 +18,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.infra.local.LocalAgArch
 import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.time.Duration.Companion.seconds
 
@@ -385,6 +387,13 @@ class FleetAgentsSpec : FunSpec({
                 ),
                 ObservedComputer("scout2", "127.0.0.1", isHere = false, isNear = true, isOn = false, emptyList()),
             )
+        }
+    }
+
+    test("an idle agent that all news wake sleeps longer than one whose architecture may have to be asked") {
+        OneComputer("a at \"base\"; b agentArchClass argo.Arch at \"base\";", "a" to "", "b" to "").use { base ->
+            base.longestSleepMs("a") shouldBeGreaterThan base.longestSleepMs("b")
+            base.longestSleepMs("b") shouldBe LocalAgArch.MAX_SLEEP.toLong()
         }
     }
 
