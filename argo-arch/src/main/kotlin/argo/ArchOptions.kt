@@ -23,7 +23,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     val maxPercepts: Int = maxPercepts()
 
-    /** The command that makes a board safe before the agent stands; null: none is known. */
+    /** The command that makes a board safe before the agent is paused; null: none is known. */
     val safe: Term? = safeCommand()
 
     /** The value of the option that names the file with the agent's state; null: the agent has none. */
@@ -75,7 +75,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         return try {
             commandTerm(written).also(::requireCommand)
         } catch (wrong: ArgumentException) {
-            log.severe("$SAFE=$written: ${wrong.message}; the boards go on with what they do while the agent stands")
+            log.severe("$SAFE=$written: ${wrong.message}; the boards go on with what they do while the agent is paused")
             null
         }
     }

@@ -146,7 +146,7 @@ internal class Reloading(
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Reports [literals], which are new in the program. They stay new until the agent takes them. */
+    /** Returns the report on [literals], which are new in the program. They stay new until the agent takes them. */
     private fun offered(offer: Offer, literals: List<Literal>) =
         "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
             "(argo.reload([${offer.word}]) takes them)"

@@ -67,7 +67,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun isAtSection() = current.isSymbol("}") ||
         (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
 
-    /** Goes behind the bracket that closes the [open] here. Arguments of a class may be classes with arguments. */
+    /** Moves on behind the bracket that closes the bracket [open] here. Arguments of a class may be classes with arguments. */
     private fun skipBracket(open: String, close: String) {
         var depth = 0
         skipTo {

@@ -127,8 +127,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs additional cycles until [ns] while the recorded agent slept. In these cycles the agent does its work and takes the ends that are
-     * due.
+     * Runs cycles up to [ns] that the recording does not have. In these cycles the agent does its work and takes the ends that are due.
      */
     private fun runBetween(ns: Long) {
         while (true) {

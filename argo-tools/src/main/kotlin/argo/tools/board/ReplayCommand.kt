@@ -72,7 +72,7 @@ internal class ReplayCommand : JasonCommand() {
         if (options.isWhatIf) return runOthers(options)
         val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck, options.debugPort).run { agent, changed ->
             changed.forEach { err.println("$it has changed since; breakpoints and places are those of the recorded program") }
-            err.println("agent $agent stands before its first cycle; attach a debugger, set breakpoints, and have it continue")
+            err.println("agent $agent is paused before its first cycle; attach a debugger, set breakpoints, and have it continue")
         }
         if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }

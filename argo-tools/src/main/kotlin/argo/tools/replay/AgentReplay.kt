@@ -24,8 +24,8 @@ internal class AgentReplay(
     private val debugPort: Int?,
 ) {
     /**
-     * Returns the result. With a [debugPort], an agent stands before the first cycle, until a debugger has it go on; then [standing] gets its
-     * name, and the files of programs that have changed since.
+     * Returns the result. With a [debugPort], an agent is paused before the first cycle, until a debugger has it go on; then [standing]
+     * gets its name, and the files of programs that have changed since.
      * @throws RecordingException if no part of the recording can be replayed
      */
     fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
