@@ -120,7 +120,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun init() {
         super.init()
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
-        val options = ArchOptions(ts.settings, log)
+        val options = ArchOptions(ts.settings, log, isReplay = platform.boundary != null)
         Infrastructure.check(log)
         Infrastructure.checkFleetOption(ts.settings.getUserParameter(Infrastructure.FLEET_OPTION), architectures(ts).last(), log)
         policy = options.policy
@@ -254,6 +254,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         if (::boards.isInitialized) boards.ports.stop()
         if (!eachIsStopped) super.stop()
     }
+
+    private val saved by lazy { SavedArch(this) }
+
+    /** Java's serialization of an agent calls this, and writes the result in place of the architecture. */
+    protected fun writeReplace(): Any = saved
 
     /**
      * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first

@@ -30,10 +30,7 @@ open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
     private val reported = HashSet<Pair<String, PerceptionFilter>>() // for one agent: Jason makes one instance for each agent
 
     override fun run(call: Call) {
-        val filter = when (val name = filterName(call.args[0])) {
-            "none" -> null
-            else -> find(call, name)
-        }
+        val filter = find(call, filterName(call.args[0]))
         val board = boardIn(call)
         if (board != null) return call.arch.boards.perceiveThrough(filter, board)
         val archs = architectures(call.ts)
@@ -42,8 +39,8 @@ open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
         environmentFilter.perceiveThrough(filter)
     }
 
-    private fun find(call: Call, name: String): PerceptionFilter = try {
-        filterOf(call.ts.ag, name).also { warn(call, it) }
+    private fun find(call: Call, name: String): PerceptionFilter? = try {
+        filterOf(call.ts.ag, name)?.also { warn(call, it) }
     } catch (missing: FilterNotFoundException) {
         throw call.failure("no_such_filter", missing.message.orEmpty())
     } catch (refused: FilterException) {

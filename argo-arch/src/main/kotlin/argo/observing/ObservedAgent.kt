@@ -71,8 +71,8 @@ interface ObservedAgent {
      */
     fun filterNames(): List<String>
 
-    /** Returns the filter called [name]; throws like [argo.filters.format.FilterFinder.find]. */
-    fun filter(name: String): PerceptionFilter
+    /** Returns the filter called [name]; null: [name] is `none`, for no filter. Throws like [argo.filters.format.FilterFinder.find]. */
+    fun filter(name: String): PerceptionFilter?
 
     /** Explains why the filter keeps or drops [percept], in words; for each board, if boards differ. */
     fun explain(percept: String): String

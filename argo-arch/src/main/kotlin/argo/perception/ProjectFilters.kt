@@ -1,5 +1,6 @@
 package argo.perception
 
+import argo.filters.NO_FILTER
 import argo.filters.PerceptionFilter
 import argo.filters.format.FilterFinder
 import argo.platform.pathOf
@@ -8,13 +9,13 @@ import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
 /**
- * Finds the filter that [agent] calls [name]. ProjectFilters looks at the filters of services, in the directory in which the project was
- * started, in the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the class path.
+ * Finds the filter that [agent] calls [name]; null: [name] is `none`, which lets everything through. ProjectFilters looks at the filters of
+ * services, in the directory in which the project was started, in the directory of the agent's `.asl`, in `filters/` below both, and in
+ * `filters/` on the class path.
  * @throws argo.filters.FilterNotFoundException if there is no such filter
  * @throws argo.filters.FilterException if the filter is refused
  */
-internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
-    finderOf(agent).find(name)
+internal fun filterOf(agent: Agent, name: String): PerceptionFilter? = if (name == NO_FILTER) null else finderOf(agent).find(name)
 
 /** Returns the file on a disk in which [filterOf] finds the filter; null: the filter is not in a file. */
 internal fun filterPath(agent: Agent, name: String): Path? = finderOf(agent).path(name)

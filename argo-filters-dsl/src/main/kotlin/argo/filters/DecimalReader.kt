@@ -29,12 +29,13 @@ internal object DecimalReader {
         return if (negative) -value else value
     }
 
-    /** Returns the value of the last digit of the [plain] number in the text from [start] to [end]; 0 for other text. */
+    /** Returns the value of the last digit before the exponent of the number in the text from [start] to [end]; 0 for other text. */
     fun unit(text: CharSequence, start: Int, end: Int): Double {
         var point = -1
         for (i in start until end) {
             val c = text[i]
             if (c == '.') point = i
+            else if (c == 'e' || c == 'E') return unit(point, i) * ("1${text.subSequence(i, end)}".toDoubleOrNull() ?: 0.0)
             else if (c !in '0'..'9' && i > start) return if (Syntax.skipBlanks(text, i, end) == end) unit(point, i) else 0.0
         }
         return unit(point, end)

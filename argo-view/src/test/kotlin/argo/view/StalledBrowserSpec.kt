@@ -88,7 +88,7 @@ internal object Nobody : ObservedAgent {
     override fun ports() = emptyList<ObservedPort>()
     override fun perceptKinds(portName: String) = emptyList<PerceptKind>()
     override fun filterNames() = emptyList<String>()
-    override fun filter(name: String): PerceptionFilter = throw UnsupportedOperationException()
+    override fun filter(name: String): PerceptionFilter? = throw UnsupportedOperationException()
     override fun explain(percept: String) = percept
     override fun criticalRules() = emptyList<WatchedRule>()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = done()

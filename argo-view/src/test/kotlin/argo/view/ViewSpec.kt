@@ -137,6 +137,8 @@ class ViewSpec : FunSpec({
                 mas.awaitBelief("bob", "dist(b,90)")
                 address.post("filter", """{"name":"front"}""").statusCode() shouldBe 200
                 eventually(LIMIT) { mas.beliefs("bob") shouldNotContain "dist(b,90)" }
+                address.post("filter", """{"name":"none"}""").body() shouldContain "perceives everything"
+                mas.awaitBelief("bob", "dist(b,90)")
             }
         }
     }

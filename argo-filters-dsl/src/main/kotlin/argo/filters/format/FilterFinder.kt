@@ -42,11 +42,12 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters, sorted. A place that cannot be listed adds none. A listed file may turn out to be no filter.
+     * Returns the names of all filters that [find] may find, sorted. A place that cannot be listed adds none. A listed file may turn out to
+     * be no filter.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
-    fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
+    fun names(): List<String> = places.flatMap(FilterPlace::names).filter { nameProblem(it) == null }.distinct().sorted()
 
     /** Returns the file on a disk that [find] reads for [name]; null: there is none. */
     fun path(name: String): Path? = places.firstNotNullOfOrNull { it.path(name) }

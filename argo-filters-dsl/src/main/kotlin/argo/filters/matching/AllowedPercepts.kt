@@ -17,6 +17,9 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
         return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
     }
 
+    /** Returns true if the argument at [index] is known to be a single number, or never a number, in the percepts of this set. */
+    fun isFixed(index: Int): Boolean = arguments[index]?.isFixed() == true
+
     /** Returns true if every percept of this set is known to meet [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
         is Condition.Argument -> condition in conditions || arguments[condition.index]?.imply(condition.test) == true
@@ -34,6 +37,8 @@ private class AllowedTerms(private val tests: List<TermTest>) {
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
 
     fun isEmpty(): Boolean = values?.isEmpty() ?: (range?.isEmpty() == true)
+
+    fun isFixed(): Boolean = values != null && values.count { it is GroundTerm.Number } < 2
 
     fun imply(test: TermTest): Boolean = when {
         test in tests -> true

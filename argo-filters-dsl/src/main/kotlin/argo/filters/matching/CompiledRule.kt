@@ -39,18 +39,15 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
 
     /**
      * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
-     * say which conditions with two limits have held so far; null: none have.
+     * know which conditions with two limits held in the picture before, and note which hold now; null: none held.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
-        compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
+        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // so that each one is noted
+        else compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
 
     /** Returns the first condition that the percept does not meet. The parameters are those of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail, latches) }]
-
-    /** Notes in [latches] which conditions with two limits hold for the percept from now on. The parameters are those of [areMet]. */
-    fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) =
-        compiled.forEach { if (it.isLatch) it.note(text, functorEnd, end, tail, latches) }
 
     private companion object {
         const val ANY = -1
@@ -76,20 +73,10 @@ private class CompiledCondition(condition: Condition) {
         if (argument >= TermBounds.arity(tail)) return false
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        if (tests[0].isMetBy(text, start, argumentEnd)) return true
-        return until != null && latches?.areAllOff == false && until.isMetBy(text, start, argumentEnd) &&
-            latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
-    }
-
-    /** Notes in [latches] whether the condition holds for the percept's sensor from now on. */
-    fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) {
-        if (argument >= TermBounds.arity(tail)) return
-        val start = TermBounds.argument(text, functorEnd, end, argument)
-        val argumentEnd = TermBounds.partEnd(text, start, end, ')')
         val isMet = tests[0].isMetBy(text, start, argumentEnd)
-        if (!isMet && latches.areAllOff) return
-        val isWithin = until?.isMetBy(text, start, argumentEnd) == true
-        latches.note(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet, isWithin)
+        if (until == null || latches == null) return isMet
+        if (!isMet && (latches.isEmpty || !until.isMetBy(text, start, argumentEnd))) return false
+        return latches.holds(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

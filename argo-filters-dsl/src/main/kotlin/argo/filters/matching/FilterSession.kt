@@ -17,7 +17,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var latches: Latches? = null
     private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
-    private var frozen: Map<String, P> = emptyMap()
+    private var frozen: Map<String, List<P>> = emptyMap() // by what they have beside numbers
 
     /** The active filter; null: everything is kept. */
     val filter: PerceptionFilter?
@@ -60,13 +60,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
         val received = java.util.List.copyOf(percepts)
         picture = smoother?.picture(received, nowMs, old) ?: picture.also { it.begin(received) }
-        latches?.let(::note)
+        latches?.begin()
         return decided(nowMs)
-    }
-
-    private fun note(latches: Latches) {
-        latches.begin()
-        for (place in picture.received.indices) matcher?.note(textOf(picture.received[place]), textOf(picture.standing(place)), latches)
     }
 
     /**
@@ -83,7 +78,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
         val received = PerceptText.of(text) ?: return Explanation.noPercept(text, matcher.filter)
-        val replacement = if (matcher.isCritical(text, latches)) null else smoother?.replacement(percept, nowMs)
+        val isCritical = matcher.criticalRules(received, received, latches?.ofNext()).any { !it.smoothed }
+        val replacement = if (isCritical) null else smoother?.replacement(percept, nowMs)
         if (replacement == null || replacement.standing === percept) return explain(matcher, received, received, percept, nowMs)
         val standing = PerceptText.of(textOf(replacement.standing)) ?: received
         return Explanation.replaced(
@@ -93,8 +89,10 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     /** Explains what becomes of [percept] with the text [standing], which the agent gets in place of a percept with the text [received]. */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
+        val latches = latches?.ofNext()
         val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()
-        val hold = if (isCritical) null else rates.holds(matcher.rulesMetBy(standing, latches), standing, percept, nowMs).firstOrNull()
+        val met = matcher.rulesMetBy(standing, latches)
+        val hold = if (isCritical) null else rates.holds(met, rates.known(percept, standing), nowMs).firstOrNull()
         return if (hold == null) Explanation.of(matcher, received, standing, latches)
         else Explanation.heldBack(matcher, standing, hold, nowMs)
     }
@@ -106,70 +104,73 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     private fun decided(matcher: PerceptMatcher, nowMs: Long): FilteredPercepts<P> {
         val holds = ArrayList<Hold<P>>()
+        val critical = if (matcher.filter.critical.isEmpty()) null else LinkedHashSet<CriticalPercept<P>>()
         val all = ArrayList<P>(picture.received.size)
+        rates.begin()
         val seenNow = if (picture.hasDoubted) ArrayList<P>(picture.received.size) else null
         for (place in picture.received.indices) {
-            val percept = decided(matcher, place, nowMs, holds) ?: continue
+            val met = criticalAt(place, matcher)
+            critical?.addAll(met)
+            val percept = decided(matcher, picture.standing(place), met.firstOrNull()?.percept, nowMs, holds) ?: continue
             all += percept
             if (!picture.isDoubted(place) || percept === picture.received[place]) seenNow?.add(percept)
         }
         val passed = if (rates.isEmpty) all else all.distinct()
         val seen = if (holds.isEmpty()) seenNow ?: passed else passed.filter(picture.seen()::contains)
         val kept = if (frozen.isEmpty()) passed else passed + stillFrozen(passed)
-        return FilteredPercepts(picture.received, kept, seen, criticalOf(matcher), holds.minOfOrNull { it.dueMs })
+        return FilteredPercepts(picture.received, kept, seen, critical?.toList().orEmpty(), holds.minOfOrNull { it.dueMs })
     }
 
-    /**
-     * Returns the percept that the agent perceives for the percept at [place]; null: it perceives none. Adds rules that hold it back to
-     * [holds].
-     */
-    private fun decided(matcher: PerceptMatcher, place: Int, nowMs: Long, holds: MutableList<Hold<P>>): P? {
-        val received = picture.received[place]
-        val isStandIn = picture.standing(place) !== received && !matcher.isCritical(textOf(received), latches)
-        val percept = if (isStandIn) picture.standing(place) else received
-        if (!rates.isEmpty) return rated(matcher, received, percept, nowMs, holds)
-        val text = textOf(percept)
-        return if (matcher.drops(text, 0, text.length, isStandIn, latches)) null else percept
-    }
-
-    /** Like [decided], for a filter with rates. [percept] stands for [received]. */
-    private fun rated(matcher: PerceptMatcher, received: P, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
-        val found = PerceptText.of(textOf(percept)) ?: return percept
-        val met = matcher.rulesMetBy(found, latches)
-        if (matcher.criticalRules(receivedText(received, found, percept), found, latches).isEmpty()) {
-            val holding = rates.holds(met, found, percept, nowMs)
-            if (holding.isNotEmpty()) {
-                holding.forEach { it.last.heldSinceMs = it.last.heldSinceMs ?: nowMs }
-                return holding.first().also(holds::add).last.percept
-            }
-            if (matcher.drops(met)) return null
-        }
-        rates.letThrough(met, found, percept, nowMs)
-        return percept
-    }
-
-    private fun criticalOf(matcher: PerceptMatcher): List<CriticalPercept<P>> {
+    /** Returns the percept that the agent perceives at [place], once for each critical rule that is met; empty: none is met. */
+    private fun criticalAt(place: Int, matcher: PerceptMatcher): List<CriticalPercept<P>> {
         if (matcher.filter.critical.isEmpty()) return emptyList()
-        return picture.received.indices.flatMap { criticalOf(matcher, picture.received[it], picture.standing(it)) }.distinct()
-    }
-
-    private fun criticalOf(matcher: PerceptMatcher, received: P, percept: P): List<CriticalPercept<P>> {
-        val standing = PerceptText.of(textOf(percept)) ?: return emptyList()
-        val rules = matcher.criticalRules(receivedText(received, standing, percept), standing, latches)
-        val perceived = if (rules.all { it.smoothed }) percept else received
+        val received = picture.received[place]
+        val standing = picture.standing(place)
+        val text = PerceptText.of(textOf(standing)) ?: return emptyList()
+        val receivedText = if (received === standing) text else PerceptText.of(textOf(received)) ?: text
+        val rules = matcher.criticalRules(receivedText, text, latches)
+        val perceived = if (rules.all { it.smoothed }) standing else received
         return rules.map { CriticalPercept(it, perceived) }
     }
 
-    /** Returns the text of [received]. [standing] is the text of [percept], which stands for [received]. */
-    private fun receivedText(received: P, standing: PerceptText, percept: P): PerceptText =
-        if (received === percept) standing else PerceptText.of(textOf(received)) ?: standing
+    /**
+     * Returns the percept that the agent perceives where [standing] stands; null: none. Adds rules that hold it back to [holds].
+     *
+     * @param critical the percept that is perceived since critical rules are met; null: none is met
+     */
+    private fun decided(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
+        if (!rates.isEmpty) return rated(matcher, standing, critical, nowMs, holds)
+        val isDropped = matcher.drops(textOf(standing), latches) // latches note it even if a critical rule keeps the percept
+        return critical ?: standing.takeUnless { isDropped }
+    }
 
-    private fun hiddenBy(next: PerceptMatcher): Map<String, P> =
-        last.kept.filter { next.drops(textOf(it)) }.mapNotNull { percept -> key(percept)?.let { it to percept } }.toMap()
+    /** Like [decided], for a filter with rates. */
+    private fun rated(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
+        val found = PerceptText.of(textOf(standing)) ?: return standing
+        val met = matcher.rulesMetBy(found, latches)
+        val next = rates.next(standing, found)
+        if (critical != null) return critical.also { letThrough(matcher, it, next.kind, nowMs) }
+        val holding = rates.holds(met, next, nowMs)
+        if (holding.isNotEmpty()) {
+            holding.forEach { it.last.heldSinceMs = it.last.heldSinceMs ?: nowMs }
+            return holding.first().also(holds::add).last.percept
+        }
+        if (matcher.drops(met)) return null
+        rates.letThrough(met, next, nowMs)
+        return standing
+    }
 
-    private fun stillFrozen(passed: List<P>): Collection<P> {
+    private fun letThrough(matcher: PerceptMatcher, critical: P, kind: String, nowMs: Long) {
+        val found = PerceptText.of(textOf(critical)) ?: return
+        rates.letThrough(matcher.rulesMetBy(found, latches?.ofNext()), RatedPercept(critical, found, kind), nowMs)
+    }
+
+    private fun hiddenBy(next: PerceptMatcher): Map<String, List<P>> =
+        last.kept.filter { next.drops(textOf(it)) }.groupBy { key(it).orEmpty() }
+
+    private fun stillFrozen(passed: List<P>): List<P> {
         frozen = frozen - passed.mapNotNull(::key).toSet()
-        return frozen.values
+        return frozen.values.flatten()
     }
 
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)

@@ -10,8 +10,9 @@ import argo.filters.SmoothingRule
 
 /**
  * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
- * rules and conditions, deadbands and smoothing on missing arguments, and critical rules that are smoothed by no rule. A filter without
- * rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but there may be further parts without effect.
+ * rules and conditions, deadbands and smoothing on missing arguments, smoothing of a single number, and critical rules that are smoothed by
+ * no rule. A filter without rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but there may be more
+ * parts without effect.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -32,7 +33,8 @@ private fun PerceptionFilter.emptiness(): String? = when {
 private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = rules.take(number).find { it.covers(rule) }
-    if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
+    if (other != null) listOf(rule.superfluousBeside(other))
+    else rule.superfluousConditions() + rule.missingArguments() + listOfNotNull(rule.fixedArgument())
 }
 
 /** Returns the warnings on [rules]. The rules in [first] decide before [rules]. */
@@ -107,6 +109,10 @@ private class ReviewedRule(
     fun missingArguments(): List<String> = rule.rate?.deadbands.orEmpty().mapNotNull { it.argument }.filter(::isMissing)
         .map { sentence("has a deadband on argument $it, and there is no such argument") } +
         listOfNotNull(smoothing?.argument).filter(::isMissing).map { sentence("smooths argument $it, and there is no such argument") }
+
+    /** Warns of a smoothing rule whose conditions leave its argument one value. */
+    fun fixedArgument(): String? = smoothing?.argument?.takeIf(allowed::isFixed)
+        ?.let { sentence("smooths argument $it, and has a condition that leaves nothing to smooth there") }
 
     private fun isMissing(index: Int) = rule.arity?.let { index >= it } == true
 }

@@ -1,42 +1,52 @@
 package argo.filters.matching
 
 /**
- * Remembers for which sensors a condition with two limits holds: their number has met the first limit, but not yet reached the second. It
- * ends for a sensor that a picture leaves out.
+ * Remembers for which sensors a condition with two limits holds. The condition holds for a percept whose number meets the first limit. It
+ * also holds for one whose number meets the second limit, if it held for the sensor in the picture before. So neither the order of percepts
+ * in a picture nor the number of questions about one matters.
+ *
+ * @param notes true if [holds] notes for the next picture what holds in this one
  */
-internal class Latches {
-    /** The last [picture] in which a condition held for a sensor. */
-    private class Latch(var picture: Long)
+internal class Latches private constructor(
+    private val memory: SensorMemory<Latch>, private var picture: Long, private val notes: Boolean,
+) {
+    constructor() : this(SensorMemory(), 0, true)
 
-    private val memory = SensorMemory<Latch>()
-    private var picture = 0L
-
-    /** True if no condition holds for any sensor, so that none need be looked up. */
-    val areAllOff: Boolean get() = memory.isEmpty
+    /** True if no condition has held for any sensor yet. */
+    val isEmpty: Boolean get() = memory.isEmpty
 
     /** Begins the next picture of the world. */
     fun begin() {
         picture++
     }
 
-    /**
-     * Returns true if [condition] holds in this picture for the sensor of the percept in [text]. The sensor's name is the text from [start]
-     * to [from] and from [to] to [end].
-     */
-    fun isOn(condition: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): Boolean =
-        memory.get(condition, text, start, from, to, end)?.picture == picture
+    /** Returns latches that tell what would hold in the next picture, and note nothing. */
+    fun ofNext() = Latches(memory, picture + 1, false)
 
     /**
-     * Notes a percept of this picture. The first parameters are those of [isOn].
+     * Returns true if [condition] holds in this picture for the percept in [text], whose number meets the second limit. The sensor's name
+     * is the text from [start] to [from] and from [to] to [end]. A percept that is too long for a [SensorMemory] is not remembered.
      *
-     * @param isMet the number meets the first limit
-     * @param isWithin the number meets the second limit
+     * @param isMet the number meets the first limit too
      */
-    fun note(condition: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int, isMet: Boolean, isWithin: Boolean) {
-        val latch = memory.get(condition, text, start, from, to, end)
-        val isOn = isMet || isWithin && latch != null && latch.picture >= picture - 1
-        if (latch == null) {
-            if (isOn) memory.put(Latch(picture))
-        } else if (isOn) latch.picture = picture else memory.remove()
+    fun holds(condition: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int, isMet: Boolean): Boolean {
+        if (!SensorMemory.isRoomFor(end)) return isMet
+        val known = memory.get(condition, text, start, from, to, end)
+        val holds = isMet || known?.heldBefore(picture) == true
+        if (holds && notes) (known ?: Latch().also(memory::put)).hold(picture)
+        return holds
+    }
+
+    /** The last pictures without a gap in which a condition held for a sensor: from [first] to [last]. */
+    private class Latch {
+        private var first = 0L
+        private var last = -1L
+
+        fun heldBefore(picture: Long) = first < picture && last >= picture - 1
+
+        fun hold(picture: Long) {
+            if (last < picture - 1) first = picture
+            last = picture
+        }
     }
 }

@@ -45,55 +45,41 @@ class PerceptMatcher internal constructor(
      * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
-    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean = drops(percept, start, end, false, null)
-
-    /** Like the other [drops]. If [isStandIn], the percept stands for another one, so only smoothed critical rules count. */
-    internal fun drops(percept: CharSequence, start: Int, end: Int, isStandIn: Boolean, latches: Latches?): Boolean =
+    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
         scan(percept, start, end, false) { functor, functorEnd, tail, head ->
-            val met = firstMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null }
-            (met != null) == drops && (criticalIndex == null ||
-                firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
-                    !isStandIn || it.critical?.smoothed == true
-                } == null)
+            isDropped(percept, functor, functorEnd, end, tail, head, null) && (criticalIndex == null ||
+                firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, null) { true } == null)
         }
 
-    /** Returns true if the [percept] meets a critical rule that is not smoothed. */
-    internal fun isCritical(percept: String, latches: Latches?): Boolean =
-        criticalIndex != null && scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
-            firstMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) {
-                it.critical?.smoothed == false
-            } != null
+    /** Returns true if the filter drops [percept], which meets no critical rule. */
+    internal fun drops(percept: String, latches: Latches?): Boolean =
+        scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
+            isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)
         }
 
-    /** Returns the first rule of [index] that [counts] and that the percept meets; null: it meets none. */
+    private fun isDropped(
+        text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
+    ): Boolean = (firstMet(index, text, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } != null) == drops
+
+    /**
+     * Returns the first rule of [index] that [counts] and that the percept meets; null: it meets none. Rules with two limits behind it are
+     * asked too, since [latches] note what holds.
+     */
     private inline fun firstMet(
         index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
         counts: (CompiledRule) -> Boolean,
     ): CompiledRule? {
+        var first: CompiledRule? = null
         for (rule in index.find(text, functor, functorEnd)) {
-            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return rule
+            if (first != null && !rule.hasLatches || !counts(rule) || !rule.isFor(tail, head)) continue
+            if (rule.areMet(text, functorEnd, end, tail, latches) && first == null) first = rule
         }
-        return null
+        return first
     }
 
     /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
     internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
         smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
-
-    /** Notes which conditions with two limits hold from now on, in [latches]: [received] has come, and [standing] stands for it. */
-    internal fun note(received: String, standing: String, latches: Latches) {
-        note(index, standing, latches) { true }
-        if (criticalIndex == null) return
-        note(criticalIndex, received, latches) { it.critical?.smoothed == false }
-        note(criticalIndex, standing, latches) { it.critical?.smoothed == true }
-    }
-
-    private inline fun note(index: RuleIndex, text: String, latches: Latches, concerns: (CompiledRule) -> Boolean) =
-        scan(text, 0, text.length, Unit) { functor, functorEnd, tail, head ->
-            for (rule in index.find(text, functor, functorEnd)) {
-                if (rule.hasLatches && concerns(rule) && rule.isFor(tail, head)) rule.note(text, functorEnd, text.length, tail, latches)
-            }
-        }
 
     /** Returns the critical rules that the text [percept] meets, in the order of the filter. Never throws. */
     fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let { criticalRules(it, it, null) }.orEmpty()

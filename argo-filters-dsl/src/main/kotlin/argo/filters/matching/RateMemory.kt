@@ -4,6 +4,9 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
+/** A [percept] with this [text], of this [kind] to rates. */
+internal class RatedPercept<P>(val percept: P, val text: PerceptText, val kind: String)
+
 /** A [percept] that was let through at [atMs], with its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
     /** The time at which the first newer percept was held back; null: no newer percept was held back. */
@@ -15,7 +18,8 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThr
 
 /**
  * The memory of a filter's rates: the last percept that was let through, for each rule and each kind of percept. Percepts that differ only
- * in numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
+ * in numbers are of one kind, unless they are in one picture: then the first, the second and so on are of a kind each. Percepts that a
+ * [SensorMemory] has forgotten, or has no room for, are let through.
  */
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
@@ -23,14 +27,34 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = SensorMemory<LetThrough<P>>()
+    private val counts = HashMap<String, Int>() // of the picture's percepts so far that differ only in numbers
+    private val kinds = HashMap<P, String>() // of those percepts
+
+    /** Begins with the first percept of a picture. */
+    fun begin() {
+        counts.clear()
+        kinds.clear()
+    }
+
+    /** Returns the picture's next [percept], whose text is [text], with its kind. */
+    fun next(percept: P, text: PerceptText): RatedPercept<P> {
+        val key = text.key(ANY_NUMBER)
+        val count = counts.merge(key, 1, Int::plus)
+        val kind = if (count == 1) key else "$key$count"
+        kinds[percept] = kind
+        return RatedPercept(percept, text, kind)
+    }
+
+    /** Returns [percept], whose text is [text], with its kind in the picture; with that of the first one there if it is not in it. */
+    fun known(percept: P, text: PerceptText) = RatedPercept(percept, text, kinds[percept] ?: text.key(ANY_NUMBER))
 
     /**
      * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive hold first; empty if the percept is let through or
      * dropped for good.
      */
-    fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
+    fun holds(met: List<CompiledRule>, percept: RatedPercept<P>, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
-        val holds = met.mapNotNull { hold(it, text, percept, nowMs) }
+        val holds = met.mapNotNull { hold(it, percept, nowMs) }
         return when {
             mode == Mode.DROP -> holds.sortedByDescending { it.dueMs }
             holds.size == met.size -> holds.sortedBy { it.dueMs }
@@ -38,18 +62,19 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         }
     }
 
-    fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
+    fun letThrough(met: List<CompiledRule>, percept: RatedPercept<P>, nowMs: Long) {
         for (rule in met) {
-            if (rule.rate == null || !SensorMemory.isRoomFor(text.length)) continue
-            val last = memory[rule, text.key(ANY_NUMBER)]
-            if (last?.percept == percept) last.heldSinceMs = null else memory.put(LetThrough(percept, nowMs, numbers(text)))
+            if (rule.rate == null || !SensorMemory.isRoomFor(percept.text.length)) continue
+            val last = memory[rule, percept.kind]
+            if (last?.percept == percept.percept) last.heldSinceMs = null
+            else memory.put(LetThrough(percept.percept, nowMs, numbers(percept.text)))
         }
     }
 
-    private fun hold(rule: CompiledRule, text: PerceptText, percept: P, nowMs: Long): Hold<P>? {
-        val rate = rule.rate?.takeIf { SensorMemory.isRoomFor(text.length) } ?: return null
-        val last = memory[rule, text.key(ANY_NUMBER)]?.takeIf { it.percept != percept } ?: return null
-        if (hasMoved(rate, last, text)) return null
+    private fun hold(rule: CompiledRule, percept: RatedPercept<P>, nowMs: Long): Hold<P>? {
+        val rate = rule.rate?.takeIf { SensorMemory.isRoomFor(percept.text.length) } ?: return null
+        val last = memory[rule, percept.kind]?.takeIf { it.percept != percept.percept } ?: return null
+        if (hasMoved(rate, last, percept.text)) return null
         val dueMs = if (rate.everyMs != null) after(last.atMs, rate.everyMs) else after(last.heldSinceMs ?: nowMs, Rate.SETTLING_MS)
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }

@@ -33,11 +33,6 @@ internal class SensorMemory<V : Any> {
     /** Remembers [value] for the sensor that was looked up last. */
     fun put(value: V) = set(newKey(), value)
 
-    /** Forgets the value of the sensor that was looked up last. */
-    fun remove() {
-        values.remove(probe)
-    }
-
     companion object {
         const val CAPACITY = 4_096
         const val MAX_LENGTH = 1_024

@@ -140,7 +140,7 @@ class FilterFinderSpec : FreeSpec({
         val names = listOf(
             "../secret", "../secret.xml", "filters/../../secret", "${parent.resolve("secret")}", "/etc/passwd", "..\\secret", "C:secret",
             "C:/secret", "./own", "filters//inside",
-            "own/", "/", "", " ", ".", "..", ".xml", "\u0000", "own\u0000", "a\nb", "..%2fsecret.xml/../../x",
+            "own/", "/", "", " ", "none", "none.xml", ".", "..", ".xml", "\u0000", "own\u0000", "a\nb", "..%2fsecret.xml/../../x",
         )
         for (name in names) withClue("'$name'") {
             shouldThrow<FilterNotFoundException> { FilterFinder(project, noResources).find(name) }.message shouldContain

@@ -93,6 +93,15 @@ class FilterSessionSpec : FreeSpec({
             session.nextDueMs shouldBe null
         }
 
+        "numbered sensors in one message have a rate each, in their order" {
+            val session = session(EVERY_100)
+            session.perceive(listOf("dist(1,38)", "dist(2,90)"), 0) shouldContainExactly listOf("dist(1,38)", "dist(2,90)")
+            session.perceive(listOf("dist(1,39)", "dist(2,91)"), 50) shouldContainExactly listOf("dist(1,38)", "dist(2,90)")
+            session.explain("dist(2,91)", 50).toString() shouldContain "dist(2,90) stands for it"
+            session.due(100)!! shouldContainExactly listOf("dist(1,39)", "dist(2,91)")
+            session.perceive(listOf("dist(1,40)", "dist(2,92)"), 150) shouldContainExactly listOf("dist(1,39)", "dist(2,91)")
+        }
+
         "conditions say which percepts it holds back" {
             val session = session("<filter everyMs='100'><predicate>dist</predicate><parameter id='0'>b</parameter></filter>")
             session.perceive(listOf("dist(f,1)", "dist(b,1)"), 0)
@@ -208,6 +217,13 @@ class FilterSessionSpec : FreeSpec({
             session.switchTo(PerceptionFilter("near", listOf(far), onSwitch = PerceptionFilter.OnSwitch.FREEZE))
             session.perceive(listOf("dist(f,228)", "dist(b,301)"), 1) shouldContainExactly listOf("dist(f,227)", "dist(b,300)")
             session.perceive(listOf("dist(f,150)", "dist(b,301)"), 2) shouldContainExactly listOf("dist(f,150)", "dist(b,300)")
+        }
+
+        "percepts of numbered sensors are frozen all" {
+            val session = Played(FilterSession.ofTexts())
+            session.perceive(listOf("dist(1,38)", "dist(2,90)"), 0)
+            session.switchTo(PerceptionFilter("frozen", lightOnly.rules, onSwitch = PerceptionFilter.OnSwitch.FREEZE))
+            session.perceive(listOf("light(f,4)"), 1) shouldContainExactly listOf("light(f,4)", "dist(1,38)", "dist(2,90)")
         }
 
         "what was held back is forgotten" {

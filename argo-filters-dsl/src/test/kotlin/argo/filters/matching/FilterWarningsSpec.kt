@@ -83,6 +83,9 @@ private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
     ),
     drop { smooth("d") { arity(1); argument(1) median 3 } } to
         listOf("smoothing rule 1 (d where there is 1 argument) smooths argument 1, and there is no such argument"),
+    drop { smooth("d") { argument(1) eq 40; argument(1) median 3 } } to listOf(
+        "smoothing rule 1 (d where argument 1 is 40) smooths argument 1, and has a condition that leaves nothing to smooth there",
+    ),
     keep { smooth("d") { argument(1) median 3 } } to listOf("the filter has no rules, so it drops every percept"),
     drop { critical("d") { smoothed() } } to listOf("critical rule 1 (d) is smoothed, and there is no smoothing rule on d"),
     drop { drop("d") { argument(0) lt 40 until 45 }; drop("d") { argument(0) lt 40 } } to listOf(
@@ -110,6 +113,7 @@ private val WITH_EFFECT = listOf(
     drop { critical("d") { argument(0) gt 3 }; drop("d") },
     keep { critical("d") },
     drop { smooth("d") { argument(0) median 3 } },
+    drop { smooth("d") { argument(0) lt 400; argument(0) median 3 } },
     drop { smooth("d") { argument(0) eq "a"; argument(1) median 3 }; smooth("d") { argument(1) median 5 } },
     drop { smooth("d") { argument(0) median 3 }; critical("d") { argument(0) lt 5 }; drop("d") { argument(0) lt 5 } },
     drop { smooth("d") { argument(0) median 3 }; critical("d") { argument(0) lt 5; smoothed() }; critical("d") { argument(0) lt 5 } },

@@ -3,6 +3,9 @@ package argo.filters.matching
 import argo.filters.DropRules
 import argo.filters.PerceptType
 import argo.filters.PerceptionFilter
+import argo.filters.Predicate
+import argo.filters.Rate
+import argo.filters.Rule
 import argo.filters.dropFilter
 import argo.filters.format.JsonFilters
 import argo.filters.keepFilter
@@ -82,6 +85,67 @@ class SecondLimitSpec : FreeSpec({
         session.perceive(listOf("dist(f,39)", "dist(b,39)"), 0)
         session.perceive(listOf("dist(b,43)"), 50) shouldContainExactly listOf("dist(b,43)")
         session.perceive(listOf("dist(f,43)", "dist(b,43)"), 100) shouldContainExactly listOf("dist(b,43)")
+    }
+
+    "a sensor that a message names several times goes on with each number for which it held in the message before, in any order" {
+        checkAll(300, Arb.list(Arb.list(Arb.int(35..50), 1..3), 1..20)) { messages ->
+            val session = session(near)
+            var held = false
+            messages.forEachIndexed { at, numbers ->
+                val expected = numbers.filter { it < if (held) 45 else 40 }
+                session.perceive(numbers.map { "dist(f,$it)" }, at * 50L) shouldBe expected.map { "dist(f,$it)" }
+                held = expected.isNotEmpty()
+            }
+        }
+    }
+
+    "it holds whatever other conditions and rules decide" {
+        val session = session(
+            dropFilter("f") {
+                drop("dist") { argument(1) gt 200 }
+                drop("dist") { argument(2) eq "fast"; argument(1) gt 100 until 80 }
+                drop("dist") { argument(1) gt 90 until 70; argument(2) gt 5 until 2 }
+            },
+        )
+        session.perceive(listOf("dist(f,250,fast)", "dist(b,250,6)"), 0).shouldBeEmpty()
+        session.perceive(listOf("dist(f,85,fast)", "dist(f,85,slow)", "dist(b,75,6)"), 50) shouldContainExactly listOf("dist(f,85,slow)")
+        session.perceive(listOf("dist(b,72,6)"), 100).shouldBeEmpty()
+    }
+
+    "a question about what is held back changes nothing" {
+        val session = session(dropFilter("f") { drop("dist") { argument(1) gt 100 until 90 }; drop("temp") { everyMs(100) } })
+        session.perceive(listOf("dist(f,101)", "temp(1)"), 0)
+        session.perceive(listOf("dist(f,95)", "temp(2)"), 50) shouldContainExactly listOf("temp(1)")
+        session.due(100)!! shouldContainExactly listOf("temp(2)")
+        session.perceive(listOf("dist(f,95)"), 150).shouldBeEmpty()
+        session.perceive(listOf("dist(f,85)"), 200) shouldContainExactly listOf("dist(f,85)")
+        session.explain("dist(f,105)", 210).outcome shouldBe Explanation.Outcome.DROPPED
+        session.perceive(listOf("dist(f,95)"), 250) shouldContainExactly listOf("dist(f,95)")
+    }
+
+    "a stray number that only a critical rule takes as it came is not noted by rules that look at the percept that stands" {
+        val filter = dropFilter("f") {
+            smooth("dist") { argument(1) median 3 }
+            critical("dist") { argument(1) lt 10; reflex("stop") }
+            critical("dist") { argument(1) lt 20 until 60; smoothed(); reflex("slow") }
+            drop("dist") { argument(1) lt 30 until 60 }
+        }
+        val rated = Rule(Predicate("temp"), rate = Rate(9))
+        for (rules in listOf(filter.rules, filter.rules + rated)) {
+            val session = session(PerceptionFilter("g", rules, critical = filter.critical, smoothing = filter.smoothing))
+            listOf(50, 50).forEachIndexed { at, cm -> session.perceive(listOf("dist(f,$cm)"), at * 50L) }
+            session.perceive(listOf("dist(f,5)"), 100) shouldContainExactly listOf("dist(f,5)")
+            session.critical.map { it.rule.reflex } shouldContainExactly listOf("stop")
+            session.perceive(listOf("dist(f,50)"), 150) shouldContainExactly listOf("dist(f,50)")
+            session.critical.shouldBeEmpty()
+        }
+    }
+
+    "percepts too long to be remembered have the first limit only" {
+        val session = session(near)
+        fun percept(cm: Int) = "dist(${"x".repeat(1_100)},$cm)"
+        session.perceive(listOf(percept(39)), 0) shouldContainExactly listOf(percept(39))
+        session.perceive(listOf(percept(43)), 50).shouldBeEmpty()
     }
 
     "the same percepts twice are decided over as once" {

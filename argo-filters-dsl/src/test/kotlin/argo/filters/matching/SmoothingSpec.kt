@@ -148,6 +148,8 @@ class SmoothingSpec : FreeSpec({
         "a sensor that stood still may move by a few units of its last digit" {
             smoothed(outliers5, listOf(40, 40, 40, 40, 40, 42)).last() shouldBe 42.0
             smoothed(outliers5, listOf(4.00, 4.00, 4.00, 4.00, 4.00, 4.42)).last() shouldBe 4.0
+            smoothed(outliers5, listOf(5.0E-4, 5.0E-4, 5.0E-4, 5.2E-4)).last() shouldBe 5.2E-4
+            smoothed(outliers5, listOf(5.0E-4, 5.0E-4, 5.0E-4, 5.4E-4)).last() shouldBe 5.0E-4
         }
 
         "of the first two percepts neither is an outlier" {

@@ -68,6 +68,7 @@ internal class ReplayCommand : JasonCommand() {
     private fun replayAgents(options: AgentReplayOptions): Int {
         if (options.within != null && !options.isWhatIf) misuse("--within is for --agent and --filter")
         options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
+        tellUnusedOptions()
         if (!runsHere) return runElsewhere("$file")
         if (options.isWhatIf) return runOthers(options)
         val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck, options.debugPort).run { agent, changed ->
