@@ -9,8 +9,10 @@ import java.util.regex.Pattern;
  * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. The payload has
  * 0 to {@value #MAX_PAYLOAD} bytes. The text of a frame is ISO-8859-1 on every platform, one byte a character. Immutable, hence safe on any
  * thread. Version 2 has {@link javino.wire.WireFrame}.
+ *
+ * @param text the payload as text, one character a byte (ISO-8859-1)
  */
-public final class Frame {
+public record Frame(String text) {
     /** The longest payload, in bytes: the length field has two hexadecimal digits. */
     public static final int MAX_PAYLOAD = 255;
 
@@ -23,24 +25,21 @@ public final class Frame {
 
     private static final Pattern HEADER = Pattern.compile(PREAMBLE + "\\p{XDigit}{2}");
 
-    private final String text; // each character is a byte
-
-    private Frame(String text) {
+    /**
+     * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or one above U+00FF,
+     *     which does not fit into a byte
+     */
+    public Frame {
+        requireBytes(text);
         if (text.length() > MAX_PAYLOAD) {
             throw new IllegalArgumentException(
                     "a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has " + text.length());
         }
-        this.text = text;
     }
 
-    /**
-     * The frame that carries {@code text}.
-     *
-     * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or one above U+00FF,
-     *     which does not fit into a byte
-     */
+    /** The frame that carries {@code text}; see {@link #Frame}. */
     public static Frame of(String text) {
-        return new Frame(requireBytes(text));
+        return new Frame(text);
     }
 
     /**
@@ -120,11 +119,6 @@ public final class Frame {
         return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /** The payload as text, one character a byte (ISO-8859-1). */
-    public String text() {
-        return text;
-    }
-
     /** Bytes this frame takes on the line: {@value #HEADER_LENGTH} and its payload. */
     public int length() {
         return HEADER_LENGTH + text.length();
@@ -142,16 +136,6 @@ public final class Frame {
 
     private static void copy(String text, byte[] bytes, int at) {
         System.arraycopy(text.getBytes(StandardCharsets.ISO_8859_1), 0, bytes, at, text.length());
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof Frame frame && text.equals(frame.text);
-    }
-
-    @Override
-    public int hashCode() {
-        return text.hashCode();
     }
 
     /** The frame as it is on the line, for logs and test reports. */

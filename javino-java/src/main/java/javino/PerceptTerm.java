@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text, taken apart into functor and arguments. No text is refused.
+ * The text of a percept or a command, taken apart into functor and arguments. No text is refused.
  *
  * @param functor the text in front of the arguments, with a {@code ~} if it is negated
  * @param arguments the texts of the arguments, without the blanks around them
@@ -14,7 +14,10 @@ public record PerceptTerm(String functor, List<String> arguments) {
         arguments = List.copyOf(arguments);
     }
 
-    /** Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is passed over. */
+    /**
+     * Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is passed over. {@code f()} has no
+     * arguments.
+     */
     public static PerceptTerm of(String text) {
         int end = 0;
         while (end < text.length() && "([;".indexOf(text.charAt(end)) < 0) {
@@ -60,6 +63,13 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return texts;
     }
 
+    /** Returns true if all brackets and quotes of {@code text} are closed, and no bracket is closed that is not open. */
+    public static boolean isClosed(String text) {
+        Nesting nesting = new Nesting();
+        text.chars().forEach(c -> nesting.pass((char) c));
+        return nesting.isAt(0) && !nesting.hasExcess;
+    }
+
     private static List<String> arguments(String text, int bracket) {
         List<String> arguments = new ArrayList<>();
         Nesting nesting = new Nesting();
@@ -75,7 +85,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
                 break;
             }
         }
-        return arguments;
+        return arguments.equals(List.of("")) ? List.of() : arguments;
     }
 
     /** Counts the open brackets outside of quotes. */
@@ -83,6 +93,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         private int depth;
         private char quote; // 0: none
         private boolean isEscaped;
+        private boolean hasExcess; // a bracket was closed that was not open
 
         void pass(char c) {
             if (quote != 0) {
@@ -96,6 +107,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
             } else if ("([{".indexOf(c) >= 0) {
                 depth++;
             } else if (")]}".indexOf(c) >= 0) {
+                hasExcess |= depth == 0;
                 depth = Math.max(0, depth - 1);
             }
         }

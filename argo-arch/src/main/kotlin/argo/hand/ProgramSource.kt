@@ -1,13 +1,12 @@
 package argo.hand
 
+import argo.platform.pathOf
 import jason.asSemantics.Agent
 import jason.runtime.SourcePath
 import java.io.File
 import java.io.FileNotFoundException
 import java.io.IOException
 import java.net.MalformedURLException
-import java.net.URI
-import java.net.URISyntaxException
 import java.net.URL
 import java.nio.file.Path
 
@@ -62,20 +61,6 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
             } catch (_: MalformedURLException) {
                 URL("file:$address").openStream()
             }
-        }
-
-        /** Returns the path of the file at [address]; null: it is in a jar, on the class path or on another computer. */
-        fun pathOf(address: String): Path? = try {
-            when {
-                address.startsWith("file:/") -> Path.of(URI(address))
-                address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further to the left
-                else -> Path.of(address)
-            }?.toAbsolutePath()?.normalize()
-        } catch (_: URISyntaxException) {
-            null
-        } catch (_: IllegalArgumentException) {
-            null
         }
     }
 }

@@ -1,10 +1,10 @@
 package argo.pausing
 
-import argo.hand.ProgramSource
 import argo.observing.SourceLine
 import argo.observing.placeOf
 import argo.platform.Plans
 import argo.platform.isSameFile
+import argo.platform.pathOf
 import jason.asSemantics.Agent
 import jason.asSyntax.ListTermImpl
 import jason.asSyntax.Plan
@@ -41,7 +41,7 @@ internal class PlanLines(agent: Agent) {
 
     /** Returns the time at which [file] was saved; null: it is not on a disk. */
     fun savedAt(file: String): FileTime? = (of(file).map { it.place.file } + listOfNotNull(source)).distinct()
-        .filter { isSameFile(it, file) }.mapNotNull(ProgramSource::pathOf).filter { it.isRegularFile() }
+        .filter { isSameFile(it, file) }.mapNotNull(::pathOf).filter { it.isRegularFile() }
         .maxOfOrNull { it.getLastModifiedTime() }
 
     /**

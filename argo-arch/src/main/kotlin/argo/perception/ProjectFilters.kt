@@ -3,10 +3,10 @@ package argo.perception
 import argo.filters.NO_FILTER
 import argo.filters.PerceptionFilter
 import argo.filters.format.FilterFinder
+import argo.platform.pathOf
 import jason.asSemantics.Agent
-import java.net.URI
-import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.isDirectory
 
 /**
  * Finds the filter that [agent] calls [name]; null: [name] is `none`, which lets everything through. ProjectFilters looks at the filters of
@@ -26,14 +26,5 @@ private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), age
 
 private fun projectDirectories(agent: Agent): List<Path> {
     val started = Path.of("").toAbsolutePath()
-    return listOfNotNull(started, directoryOf(agent.aslSrc)?.takeIf { it != started })
-}
-
-private fun directoryOf(source: String?): Path? = try {
-    source?.let { if (it.startsWith("file:/")) Path.of(URI(it)) else Path.of(it.removePrefix("file:")) }
-        ?.toAbsolutePath()?.normalize()?.parent?.takeIf(Files::isDirectory)
-} catch (_: IllegalArgumentException) {
-    null // the source is no file, such as an .asl in a jar or on the class path
-} catch (_: java.net.URISyntaxException) {
-    null
+    return listOfNotNull(started, agent.aslSrc?.let(::pathOf)?.parent?.takeIf { it.isDirectory() && it != started })
 }

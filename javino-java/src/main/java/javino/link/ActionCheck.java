@@ -2,11 +2,13 @@ package javino.link;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import javino.PerceptTerm;
 import javino.wire.BoardAction;
 
 /** Checks commands against the actions that a board has registered. */
 final class ActionCheck {
     private static final int MAX_NAMED = 10;
+    private static final String OPEN = "a bracket or quote in it is not closed";
 
     private ActionCheck() {}
 
@@ -15,9 +17,12 @@ final class ActionCheck {
         if (actions.isEmpty()) {
             return null;
         }
-        String functor = Command.functorOf(command);
-        String name = functor.strip();
-        int arguments = new Shape(command, functor.length()).arguments(command);
+        if (!PerceptTerm.isClosed(command)) {
+            return OPEN;
+        }
+        PerceptTerm term = PerceptTerm.of(command);
+        String name = term.functor();
+        int arguments = term.arguments().size();
         BoardAction known = null;
         for (BoardAction action : actions) {
             known = action.name().equals(name) ? action : known; // the newest action of a name counts
@@ -35,8 +40,8 @@ final class ActionCheck {
      * Returns, for a message to a person, why a board has refused the command; {@code actions} is empty if the board has registered none.
      */
     static String refusal(String command, List<BoardAction> actions) {
-        if (!new Shape(command, 0).isClosed()) {
-            return "a bracket or quote in it is not closed";
+        if (!PerceptTerm.isClosed(command)) {
+            return OPEN;
         }
         if (actions.isEmpty()) {
             return "it does not know the action, or takes other arguments, or its program refuses the action now";
@@ -45,51 +50,6 @@ final class ActionCheck {
         return trouble == null
                 ? "it has the action, but its program refuses it now; it has " + words(actions)
                 : trouble;
-    }
-
-    /** A command's text as boards read it: with three kinds of brackets, two kinds of quotes, and backslashes in double quotes. */
-    private static final class Shape {
-        private final int open; // the place at which the arguments begin
-        private int depth;
-        private int commas; // number of commas between the arguments
-        private char quote; // 0: none
-        private boolean isBehind; // the arguments have ended
-
-        Shape(String command, int functorEnd) {
-            open = command.startsWith("(", functorEnd) ? functorEnd : -1;
-            isBehind = open < 0;
-            for (int i = 0; i < command.length(); i++) {
-                char c = command.charAt(i);
-                if (quote == '"' && c == '\\') {
-                    i++;
-                } else if (quote != 0) {
-                    quote = c == quote ? 0 : quote;
-                } else {
-                    take(c);
-                }
-            }
-        }
-
-        private void take(char c) {
-            if (c == '"' || c == '\'') {
-                quote = c;
-            } else if ("([{".indexOf(c) >= 0) {
-                depth++;
-            } else if (")]}".indexOf(c) >= 0) {
-                depth--;
-                isBehind |= depth == 0;
-            } else if (c == ',' && depth == 1 && !isBehind) {
-                commas++;
-            }
-        }
-
-        boolean isClosed() {
-            return depth == 0 && quote == 0;
-        }
-
-        int arguments(String command) {
-            return open < 0 || command.startsWith(")", open + 1) ? 0 : commas + 1;
-        }
     }
 
     private static String words(List<BoardAction> actions) {

@@ -2,6 +2,7 @@ package javino.link;
 
 import java.util.concurrent.CompletableFuture;
 import javino.Frame;
+import javino.PerceptTerm;
 import javino.session.SessionCommand;
 import javino.wire.CommandItem;
 
@@ -72,14 +73,6 @@ final class Command implements SessionCommand {
         return number;
     }
 
-    static String functorOf(String text) {
-        int end = 0;
-        while (end < text.length() && text.charAt(end) != '(' && text.charAt(end) != '[') {
-            end++;
-        }
-        return text.substring(0, end);
-    }
-
     boolean isUrgent() {
         return options.urgent();
     }
@@ -92,7 +85,11 @@ final class Command implements SessionCommand {
         return isLatest()
                 && earlier.isWaiting()
                 && earlier.rule == null
-                && functorOf(text()).equals(functorOf(earlier.text()));
+                && functor().equals(earlier.functor());
+    }
+
+    private String functor() {
+        return PerceptTerm.of(text()).functor();
     }
 
     /** The command's outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */

@@ -103,4 +103,14 @@ class BoardSessionSpec : FunSpec({
             listOf("a;", """b("x;y");""", "c([1;2]);", "'d;e';", "(((;rest")
         PerceptTerm.split(");a;") shouldBe listOf(");", "a;")
     }
+
+    test("a literal has as many arguments as a board counts, and is closed if its brackets and quotes are") {
+        val counts = mapOf(
+            "f" to 0, "f()" to 0, "f( )" to 0, "f(1)" to 1, "f(,)" to 2, "f(g(1,2),'a,b',[3,4])" to 3,
+            "f[a(1),b]" to 0, "f(1)[a,b]" to 1,
+        )
+        counts.keys.associateWith { PerceptTerm.of(it).arguments().size } shouldBe counts
+        counts.keys.forEach { PerceptTerm.isClosed(it) shouldBe true }
+        listOf("f(1", "f(\"1)", "f(')", "f(1))", "f]", ")(", """f("\")""").forEach { PerceptTerm.isClosed(it) shouldBe false }
+    }
 })

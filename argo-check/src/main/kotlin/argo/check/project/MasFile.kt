@@ -62,7 +62,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
     /** The fleet of several computers in this project; null: none. */
-    val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure").drop(1)) }
+    val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure"), lines) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
         .filter { it.kind == TokenKind.STRING }.map { it.text.trim('"') }

@@ -1,48 +1,36 @@
 package argo.check.project
 
+import argo.check.syntax.Lines
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
+import argo.check.syntax.Name
+import argo.check.syntax.Named
+import argo.check.syntax.StringTerm
+import argo.check.syntax.Term
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
+import argo.check.syntax.literalOf
 
 /**
  * The fleet of a project file: `infrastructure: Fleet(hosts([base("10.8.0.1"), host("rasp-pi","10.8.0.2")]), insecure)`.
  *
- * @param tokens the file's tokens behind `Fleet`
+ * @param tokens the file's tokens from `Fleet` on
  */
-class MasFleet internal constructor(private val tokens: List<Token>) {
-    private val begins = begins()
+class MasFleet internal constructor(tokens: List<Token>, lines: Lines) {
+    private val arguments =
+        (literalOf(listOf(Token(TokenKind.ATOM, "fleet", tokens.first().span)) + tokens.drop(1), lines) as? Literal)?.arguments.orEmpty()
 
     /** The names of the fleet's options. */
-    val options: List<Token> = begins.filter { it.depth == 1 }.map { tokens[it.at] }
+    val options: List<Name> = arguments.mapNotNull { (it as? Named)?.name }
 
-    /** The names of the fleet's computers, some in quotes; empty: the file does not name them. */
-    val hosts: List<Token> = begins.filter { it.depth == OF_HOSTS && it.option == "hosts" }.map { nameOf(it.at) }
+    /** The names of the fleet's computers; empty: the file does not name them. */
+    val hosts: List<Name> = arguments.filterIsInstance<Literal>().filter { it.functor == "hosts" }
+        .flatMap { (it.arguments.firstOrNull() as? ListTerm)?.items.orEmpty() }.mapNotNull(::nameOf)
 
-    /** A token that begins an item: an argument or a part of a list, in [depth] brackets and in the [option] of the fleet. */
-    private class Begin(val at: Int, val depth: Int, val option: String)
-
-    private fun begins(): List<Begin> {
-        val found = ArrayList<Begin>()
-        var depth = 0
-        var option = ""
-        for ((at, token) in tokens.withIndex()) {
-            if (at > 0 && tokens[at - 1].let { it.isOpening || it.isSymbol(",") }) {
-                if (depth == 1) option = token.text
-                found += Begin(at, depth, option)
-            }
-            if (token.isOpening) depth++ else if (token.isClosing) depth--
-            if (depth == 0) break
-        }
-        return found
-    }
-
-    /** Returns the name of the computer that begins at [at]: that of `host("rasp-pi","10.8.0.2")` is its first argument. */
-    private fun nameOf(at: Int): Token {
-        val argument = tokens.getOrNull(at + 2)?.takeIf { it.kind == TokenKind.STRING }
-        return argument?.takeIf { tokens[at].text == "host" && tokens.getOrNull(at + 3)?.text == "," } ?: tokens[at]
-    }
-
-    private companion object {
-        /** The depth inside of `Fleet(`, `hosts(` and `[`. */
-        const val OF_HOSTS = 3
+    /** Returns the name of a computer: that of `host("rasp-pi","10.8.0.2")` is its first argument. */
+    private fun nameOf(host: Term): Name? = when {
+        host is StringTerm -> Name(host.span, host.text)
+        host is Literal && host.indicator == "host/2" -> nameOf(host.arguments.first())
+        else -> (host as? Named)?.name
     }
 }

@@ -2,6 +2,7 @@ package argo.check.project
 
 import javino.PerceptArgument
 import javino.PerceptKind
+import javino.PerceptTerm
 
 /**
  * The percepts and commands in the mapping of a ROS robot, a file `.ros.yaml`. [isComplete] is false if topics also have the usual percepts
@@ -31,17 +32,7 @@ internal class RosMapping(text: String) {
     private fun headOf(text: String): Pair<String, Int>? {
         val name = NAME.find(text.trim())?.value ?: return null
         val rest = text.trim().removePrefix(name)
-        if (!rest.startsWith("(")) return name to 0
-        var depth = 0
-        var commas = 0
-        for (letter in rest) {
-            when (letter) {
-                '(' -> depth++
-                ')' -> if (--depth == 0) break
-                ',' -> if (depth == 1) commas++
-            }
-        }
-        return name to commas + 1
+        return name to if (rest.startsWith("(")) PerceptTerm.of(rest).arguments().size else 0
     }
 
     private companion object {

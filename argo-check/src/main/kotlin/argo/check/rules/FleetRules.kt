@@ -3,7 +3,6 @@ package argo.check.rules
 import argo.check.project.MasAgent
 import argo.check.project.MasFile
 import argo.check.project.MasFleet
-import argo.check.syntax.Token
 
 /** Checks the computers of a fleet in a project file, and the agents on these computers. */
 internal object FleetRules {
@@ -26,11 +25,11 @@ internal object FleetRules {
 
     private fun fleet(fleet: MasFleet, report: Report) {
         fleet.options.filter { it.text !in OPTIONS }.forEach {
-            report.error(RULE, it.span, "${it.text} is no option of Fleet", REFUSED,
+            report.error(RULE, it.span, "$it is no option of Fleet", REFUSED,
                 Names.near(it.text, OPTIONS)?.let { name -> "did you mean $name?" } ?: "there are ${OPTIONS.joinToString()}")
         }
-        fleet.hosts.groupBy { it.name }.values.mapNotNull { it.getOrNull(1) }.forEach {
-            report.error(RULE, it.span, "two computers are called ${it.name}", REFUSED, "give each a name of its own")
+        fleet.hosts.groupBy { it.text }.values.mapNotNull { it.getOrNull(1) }.forEach {
+            report.error(RULE, it.span, "two computers are called $it", REFUSED, "give each a name of its own")
         }
     }
 
@@ -40,7 +39,7 @@ internal object FleetRules {
             report.error(RULE, agent.name.span, "agent ${agent.name} is at no computer", REFUSED, "${agent.name} … at \"base\";")
             return
         }
-        val known = fleet.hosts.map { it.name }
+        val known = fleet.hosts.map { it.text }
         val computers = computersOf(agent)
         if (computers.size > 1 && known.isEmpty()) {
             report.error(RULE, at.span, "agent ${agent.name} is at several computers of a fleet without hosts", REFUSED,
@@ -59,7 +58,6 @@ internal object FleetRules {
             "its boards stay where they are", "leave it at one computer, and the part that moves to an agent without boards")
     }
 
-    private fun computersOf(agent: MasAgent) = agent.computers?.name.orEmpty().split(',').map { it.trim() }.filter { it.isNotEmpty() }
-
-    private val Token.name get() = text.trim('"')
+    private fun computersOf(agent: MasAgent) =
+        agent.computers?.text.orEmpty().trim('"').split(',').map { it.trim() }.filter { it.isNotEmpty() }
 }

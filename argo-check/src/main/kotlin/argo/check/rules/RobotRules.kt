@@ -15,6 +15,7 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 import javino.PerceptArgument
 import javino.PerceptKind
+import javino.PerceptTerm
 
 /** Percepts and values that the robot does not have, and commands that its boards do not know. */
 internal object RobotRules : Rule {
@@ -140,17 +141,14 @@ internal object RobotRules : Rule {
     }
 
     private fun commandIn(term: Term): String? = when {
-        term is StringTerm -> term.text
+        term is StringTerm -> term.text.replace("\\\"", "\"")
         term !is Literal || term.isInternal -> null
         term.arity == 0 -> term.functor
         else -> term.functor + List(term.arity) { "_" }.joinToString(",", "(", ")")
     }
 
-    fun isFor(action: BoardAction, text: String): Boolean {
-        val name = text.substringBefore('(').trim()
-        val arguments = text.substringAfter('(', "").substringBeforeLast(')')
-        return name == action.name &&
-            (action.arity == null || action.arity == if (arguments.isBlank()) 0 else arguments.count { it == ',' } + 1)
+    fun isFor(action: BoardAction, text: String): Boolean = PerceptTerm.of(text).let {
+        it.functor() == action.name && (action.arity == null || action.arity == it.arguments().size)
     }
 
     /** Returns the text that a board gets for [command]; null: it has variables or structures in it. */

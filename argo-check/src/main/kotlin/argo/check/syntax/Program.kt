@@ -54,3 +54,6 @@ fun programOf(text: String): Program {
     if (isWhole) errors += operandErrors(components)
     return Program(text, lines, tokens, components, if (isWhole || lexical > 0) errors.sortedBy { it.span.start } else errors)
 }
+
+/** Returns the literal or variable with which [tokens] begin; a part of it if it is not whole. */
+internal fun literalOf(tokens: List<Token>, lines: Lines): Term = ProgramReader(Cursor(tokens, lines) {}).literal()

@@ -4,6 +4,8 @@ internal class ProgramReader(private val cursor: Cursor) {
     private val terms = TermReader(cursor, ::block)
     private val bodies = BodyReader(cursor, terms)
 
+    fun literal(): Term = terms.literal()
+
     fun components(): List<Component> = buildList {
         while (!cursor.isAtEnd) addAll(withRecovery { component() })
     }

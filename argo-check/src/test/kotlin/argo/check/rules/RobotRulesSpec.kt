@@ -51,6 +51,7 @@ class RobotRulesSpec : FunSpec({
             "+dist(front,D) : D < 40 <- argo.act(stop).",
             "+temp(T) : T > 30 & ready <- argo.act(speed(T)); argo.act(say(a,b)).",
             "+ready : temp(T) & (T < -3 | T > 100) <- argo.act(\"speed(3)\").",
+            "+ready <- argo.act(\"speed(\\\"a,b\\\")\").",
             "+left::dist(front,D) : D < 40 <- .print(D).",
             "+ready : argo.can(wave(_)) <- argo.act(wave(3)).",
             "+ready <- if (argo.can(A)) { argo.act(wave(3)); .print(A) }.",

@@ -1,7 +1,7 @@
 package argo.recording.replay
 
-import argo.hand.ProgramSource
 import argo.mcap.McapReader
+import argo.platform.pathOf
 import argo.recording.Beginning
 import argo.recording.CONFIG
 import argo.recording.CommandEnd
@@ -81,7 +81,7 @@ class Recording(private val file: Path) : AutoCloseable {
         val programs = agents.values.mapNotNull { agent -> agent.address?.let { it to program[agent.source] } }
         val includes = agents.keys.flatMap(::includes).map { it.address to it.text }
         return (programs + includes).mapNotNull { (address, text) ->
-            ProgramSource.pathOf(address)?.takeIf { it.isRegularFile() && !it.readBytes().contentEquals(text) }
+            pathOf(address)?.takeIf { it.isRegularFile() && !it.readBytes().contentEquals(text) }
         }.distinct()
     }
 

@@ -2,7 +2,7 @@
 """Measures how many requests for twelve percepts a board in Python answers a second, one after the other, on a pseudo-terminal. With
 MicroPython it also measures memory.
 
-    bench.py [PYTHON...] measures with these interpreters; python3 by default
+    tests/bench.py [PYTHON...] measures with these interpreters; python3 by default
 """
 import os
 import pathlib
@@ -12,7 +12,7 @@ import sys
 import time
 import tty
 
-HERE = pathlib.Path(__file__).resolve().parent
+HERE = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(HERE.parent / "javino-arduino" / "tests" / "e2e"))
 from board import Line, Session, frame1  # noqa: E402
 
