@@ -190,7 +190,7 @@ public:
   /**
    * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. The function can stop motors
    * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() count
-   * as arrived at its beginning. Only a watchdog notices a loop() that never returns.
+   * as arrived at its beginning (javino_link_lost). Only a watchdog notices a loop() that never returns.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;

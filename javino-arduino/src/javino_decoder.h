@@ -20,7 +20,7 @@ enum { JAVINO_LENGTH_AT = 1, JAVINO_KIND_AT = 2, JAVINO_NUMBER_AT = 3, JAVINO_PA
 /** The bytes behind a frame of version 1. */
 enum {
     JAVINO_FOLLOWS_UNKNOWN, /**< Too few bytes to know. */
-    JAVINO_FOLLOWS_HEADER,  /**< A preamble and two hex digits, or the start of a version 2 frame: the frame was read correctly. */
+    JAVINO_FOLLOWS_HEADER,  /**< The header of another frame, or silence: the frame was read correctly. */
     JAVINO_FOLLOWS_OTHER    /**< Anything else: the frame may have been misread. */
 };
 typedef uint8_t javino_follows;
@@ -62,8 +62,9 @@ bool javino_decoder_ready(const javino_decoder *decoder);
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
 
 /**
- * Tells the decoder that all bytes of the receive buffer were handed in, or that javino_decoder_ready returns false. javino_decoder_next
- * tells this too. Call this function during a long action, in which javino_decoder_next is not called: otherwise silences go unnoticed.
+ * Looks for a silence. Call this when no byte is left in the receive buffer, or when javino_decoder_ready returns false.
+ * javino_decoder_next does the same. Call this function during a long action, in which javino_decoder_next is not called: otherwise
+ * silences go unnoticed.
  *
  * @param now_ms  the time of the last look into the receive buffer
  */

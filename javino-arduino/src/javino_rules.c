@@ -96,7 +96,8 @@ static int8_t compare(const decimal *a, const decimal *b)
     return a->negative ? -1 : 1;
 }
 
-/* ---- One rule: its number, functor 00, { place operator value [ 01 value ] 00 }, [ 02 reflex ] ---- */
+/* ---- One rule, in bytes: its number; its functor and 00; any number of conditions, each "place operator value [01 value] 00"; perhaps
+   02 and a reflex ---- */
 
 static bool is_operator(char c, bool number)
 {

@@ -105,7 +105,7 @@ class Receiver:
         self._read(data)
 
     def idle(self, now, diff=lambda a, b: a - b):
-        """Call this if no byte has arrived up to this time. `diff` subtracts times of a clock that wraps around."""
+        """Call this with the present time if no byte waits. `diff` subtracts times of a clock that wraps around."""
         silence = self._timeout + 1 if self._last is None else diff(now, self._last)
         if silence > self._timeout:
             while self._window:

@@ -11,7 +11,7 @@ void setup() {
 void loop() {
   if(j.availablemsg()){
     msg = j.getmsg();
-    if(msg == "getPercepts") j.sendmsg(getLight() + "lamp(" + String(digitalRead(13)) + ");");
+    if(msg == "getPercepts") j.sendmsg(getLight() + percept("lamp", digitalRead(13)));
     else if(msg == "lampOn") digitalWrite(13, HIGH);
     else if(msg == "lampOff") digitalWrite(13, LOW);
   }
@@ -22,3 +22,10 @@ String getLight () { // a blank stands before the brackets in many sketches
   int light = analogRead(A0);
   return "light("+String(light)+");";
 }
+
+  String
+  percept(String name, // } a head of several lines, which is not in the first column
+          int value)
+  {
+    return name + "(" + String(value) + ");";
+  }

@@ -42,8 +42,8 @@ import java.util.logging.Logger
  * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. These are the architecture's options.
  * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
  * `argo_percepts=4096` limits the percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
- * before the agent stands, see [argo.observing.Pausing]. `argo_resume="robot.state"` is the file with the state from which the agent goes
- * on. Other options belong to observers, such as `argo_view=8080` to the live view.
+ * before the agent is paused, see [argo.observing.Pausing]. `argo_resume="robot.state"` is the file with the state from which the agent
+ * goes on. Other options belong to observers, such as `argo_view=8080` to the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
  * A reasoning cycle waits for a line only under `in_cycle`, which exists for comparison.
@@ -83,7 +83,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal lateinit var hand: Hand
         private set
 
-    /** Orders of observers, which the agent carries out in its next cycle or while it stands. Available from [init] on. */
+    /** Orders of observers, which the agent carries out in its next cycle or while it is paused. Available from [init] on. */
     internal lateinit var requests: CompletionInbox<() -> Unit>
         private set
 
@@ -120,7 +120,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun init() {
         super.init()
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
-        val options = ArchOptions(ts.settings, log)
+        val options = ArchOptions(ts.settings, log, isReplay = platform.boundary != null)
         Infrastructure.check(log)
         Infrastructure.checkFleetOption(ts.settings.getUserParameter(Infrastructure.FLEET_OPTION), architectures(ts).last(), log)
         policy = options.policy
@@ -186,8 +186,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Carries out, on the thread of an agent that stands, the requests that have come meanwhile. Orders and requests begin the agent's next
-     * cycle. If the agent stands within a cycle, orders wait.
+     * Carries out, on the thread of an agent that is paused, the requests that have come meanwhile. Orders and requests begin the agent's
+     * next cycle. If the agent is paused within a cycle, orders wait.
      */
     private fun takeOrders() {
         if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
@@ -254,6 +254,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         if (::boards.isInitialized) boards.ports.stop()
         if (!eachIsStopped) super.stop()
     }
+
+    private val saved by lazy { SavedArch(this) }
+
+    /** Java's serialization of an agent calls this, and writes the result in place of the architecture. */
+    protected fun writeReplace(): Any = saved
 
     /**
      * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first

@@ -13,17 +13,17 @@ import java.util.logging.Logger
 
 /**
  * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`. A
- * property of the program, `-Dargo_watch=true`, is added to the [settings] of each agent that does not have this option. Reports unknown
- * options and values to [log] and ignores them.
+ * property of the program, `-Dargo_watch=true`, is added to the [settings] of each agent that does not have this option; in a replay it is
+ * not, since the agents have the recorded options. Reports unknown options and values to [log] and ignores them.
  */
-internal class ArchOptions(private val settings: Settings, private val log: Logger) {
-    private val ofProgram: Set<String> = addProperties()
+internal class ArchOptions(private val settings: Settings, private val log: Logger, isReplay: Boolean) {
+    private val ofProgram: Set<String> = if (isReplay) emptySet() else addProperties()
 
     val policy: SensingPolicy = sensingPolicy()
 
     val maxPercepts: Int = maxPercepts()
 
-    /** The command that makes a board safe before the agent stands; null: none is known. */
+    /** The command that makes a board safe before the agent is paused; null: none is known. */
     val safe: Term? = safeCommand()
 
     /** The value of the option that names the file with the agent's state; null: the agent has none. */
@@ -75,7 +75,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         return try {
             commandTerm(written).also(::requireCommand)
         } catch (wrong: ArgumentException) {
-            log.severe("$SAFE=$written: ${wrong.message}; the boards go on with what they do while the agent stands")
+            log.severe("$SAFE=$written: ${wrong.message}; the boards go on with what they do while the agent is paused")
             null
         }
     }

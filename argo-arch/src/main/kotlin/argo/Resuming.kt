@@ -64,7 +64,7 @@ internal class Resuming(
     private var isDue = false // for the agent's thread
 
     init {
-        arch.pausing.follow { if (it.phase == PausePhase.STANDING) keepWhile(it) }
+        arch.pausing.follow { if (it.phase == PausePhase.PAUSED) keepWhile(it) }
     }
 
     /** Returns what the program begins with. The events of these beliefs are not included. */
@@ -148,7 +148,7 @@ internal class Resuming(
         if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
     }
 
-    /** If the agent stands between two cycles, lets its thread make the state; returns false if it does not stand. */
+    /** If the agent is paused between two cycles, lets its thread make the state; else returns false. */
     private fun keepStanding(): Boolean = !platform.standsStill && arch.pausing.look(::keep)
 
     /** Makes the agent's state and hands it to the writer; nothing may change the agent meanwhile. */
@@ -171,7 +171,7 @@ internal class Resuming(
         )
     }
 
-    /** Keeps the last state: after the present cycle, or at once; if the agent stands, its own thread makes the state. */
+    /** Keeps the last state: after the present cycle, or at once; if the agent is paused, its own thread makes the state. */
     override fun close() {
         ending.withLock {
             if (isStopped) return

@@ -22,7 +22,7 @@ import kotlin.io.path.writeText
 
 /**
  * A small agent with a fault that beginners make, and the same agent without it. Both agents are in one file, `planted/NAME.asl`. Lines
- * that end in `//-` are the fault. Lines behind `//+` replace them in the mended agent.
+ * that end in `//-` are the fault. In the mended agent these lines are left out, and lines that begin with `//+` lose this mark.
  *
  * @property rule the name of the rule that the fault breaks
  * @property describe describes the board and the rules, which do not depend on the fault

@@ -13,8 +13,10 @@ import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
 import jason.asSyntax.ObjectTermImpl
 import jason.asSyntax.Term
+import jason.bb.ChainBBAdapter
 import jason.bb.DefaultBeliefBase
 import java.io.ByteArrayOutputStream
 import java.io.ObjectOutputStream
@@ -174,6 +176,13 @@ class Moody : Agent()
 
 /** A belief base of a project. */
 class Shuffled : DefaultBeliefBase()
+
+/** A belief base whose database is not to be reached. */
+class Unreachable : ChainBBAdapter() {
+    override fun iterator(): MutableIterator<Literal> = error("no connection")
+
+    override fun size(): Int = error("no connection")
+}
 
 /** An architecture of a project, that counts how often it is made. */
 class Counted(platform: Platform) : Arch(platform) {

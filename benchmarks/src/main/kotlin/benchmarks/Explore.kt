@@ -15,7 +15,8 @@ import kotlin.time.TimeSource
 
 /**
  * Explores 25 agents with a planted fault each, and the same agents mended. Returns true if at least 20 faults are found within 60 s and
- * shortened to at most five events, and none is found in the mended agents. [only] is the name of the only explored agent; null: all.
+ * shortened to at most five events, and none is found in the mended agents. [only] is the only explored agent, whose fault need not be
+ * found; null: all.
  */
 internal fun explored(only: String? = null): Boolean {
     println("machine: ${machine()}")

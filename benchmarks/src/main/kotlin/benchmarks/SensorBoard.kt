@@ -23,15 +23,15 @@ class SensorBoard(
     private val answered: (n: Int, endNanos: Long, bytes: Int) -> Unit = { _, _, _ -> },
     private val acted: (action: String) -> Unit = {},
 ) : SimulatedBoard {
-    override fun run(line: Transport) = BoardLoop(line, Program(line), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
+    override fun run(line: Transport) = BoardLoop(line, Program(), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
 
-    private inner class Program(private val line: Transport) : BoardProgram {
+    private inner class Program : BoardProgram {
         private var answers = 0
 
         override fun percepts(request: String) = percepts(++answers)
 
-        override fun answered(requestBytes: Int, answerBytes: Int) =
-            answered(answers, System.nanoTime() + answerBytes * line.line().byteNanos(), requestBytes + answerBytes)
+        override fun answered(requestBytes: Int, answerBytes: Int, endNanos: Long) =
+            answered(answers, endNanos, requestBytes + answerBytes)
 
         override fun carryOut(command: String): BoardProgram.Outcome {
             acted(command)

@@ -3,6 +3,7 @@ package experiment
 import experiment.analysis.Interval
 import experiment.analysis.medianInterval
 import experiment.analysis.proportionInterval
+import experiment.report.decimals
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe

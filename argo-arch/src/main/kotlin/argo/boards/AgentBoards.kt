@@ -89,7 +89,7 @@ internal class AgentBoards(
     var hasNamespaces = false
         private set
 
-    /** True while the agent stands, see [argo.observing.Pausing]. */
+    /** True while the agent is paused, see [argo.observing.Pausing]. */
     @Volatile
     private var isStanding = false
 
@@ -247,7 +247,7 @@ internal class AgentBoards(
     fun stands(isStanding: Boolean) {
         this.isStanding = isStanding
         val dropped = if (isStanding) 0 else current.sumOf(Board::catchUp)
-        if (dropped > 0) log.info("$dropped snapshots that came while the agent stood are left out, and it perceives the newest")
+        if (dropped > 0) log.info("$dropped snapshots that came while the agent was paused are left out, and it perceives the newest")
     }
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {

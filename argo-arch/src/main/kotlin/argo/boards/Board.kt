@@ -107,7 +107,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     override fun filtered(snapshot: Snapshot) = agent.observers.each { it.messageFiltered(snapshot) }
 
-    /** Prepares for perception through [port]. Any thread, before the board is perceived. */
+    /** Prepares for perception through [port]. Call this on any thread, before the board is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
         this.port = port
         if (!isBelieved) believed.updateAndGet { it.then(emptyList(), null) }
@@ -204,7 +204,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
-    /** Recomputes whether the board is stale. Returns true if this, or the outcome of a reflex, has changed. */
+    /** Recomputes whether the board is stale. Returns true if it has become stale or fresh, or if a reflex has an outcome. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }

@@ -85,7 +85,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         }
     }
 
-    /** Reads the agent's wishes to the board anew. Any thread. */
+    /** Asks again for what the agent wants of the board: its rules, interval and filter. Any thread. */
     fun renew() {
         rules.renew()
         sensing.wake()

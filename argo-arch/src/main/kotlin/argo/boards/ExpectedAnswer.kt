@@ -16,7 +16,7 @@ internal class ExpectedAnswer {
         expectAfter(nanos)
     }
 
-    /** Notes that the answer has come. The answer counts as expected until it is [read]. */
+    /** Notes that the answer has come. Until it is [read], the expected time is the time at which it came. */
     fun came(nanos: Long) {
         val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked

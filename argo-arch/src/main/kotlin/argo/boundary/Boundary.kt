@@ -65,7 +65,7 @@ interface Boundary {
     fun ruleApplied()
 
     /**
-     * Returns true if the agent carries out no intention in this cycle, since it must stand first; [live] returns the same without a
+     * Returns true if the agent carries out no intention in this cycle, since it must pause first; [live] returns the same without a
      * replay. Called between two rules of the cycle.
      */
     fun isHeld(live: () -> Boolean): Boolean

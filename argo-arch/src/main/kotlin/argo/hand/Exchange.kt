@@ -12,6 +12,7 @@ import jason.asSyntax.Plan
 import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.Rule
 import jason.bb.BeliefBase
+import jason.bb.ChainBBAdapter
 import java.util.IdentityHashMap
 
 /**
@@ -36,9 +37,15 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
         throw OrderRefusedException(refused.message.orEmpty())
     }
     if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason adds it once
-    val rules = ExchangedRules(ag.bb, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
+    val rules = ExchangedRules(ag.bb.inMemory, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
     return Outcome(null, listOf(plans.told()) + rules.exchange())
 }
+
+/**
+ * The part of this belief base that is in memory and holds all rules. A database, as of `JDBCPersistentBB`, has beliefs of earlier runs,
+ * may be large or out of reach, and lets nothing be removed while one looks at all of it.
+ */
+internal val BeliefBase.inMemory: BeliefBase get() = (this as? ChainBBAdapter)?.lastBB ?: this
 
 /** Lets the agent read the program in [files]. Returns its plans, and its initial beliefs and rules. */
 private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan>, List<Literal>> {

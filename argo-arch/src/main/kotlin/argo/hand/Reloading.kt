@@ -47,11 +47,12 @@ internal class Reloading(
 
     private fun atBeginning(): Known {
         agent.aslSrc?.let { Plans.of(agent).all.fileless(ProgramSource.nameOf(it), it) }
+        val (rules, beliefs) = agent.bb.inMemory.partition { it.isRule }
         return Known(
-            Plans.of(agent).all.mapTo(HashSet()) { it.sourceFile } + agent.bb.filter { it.isRule }.mapNotNull { it.srcInfo?.srcFile } -
+            Plans.of(agent).all.mapTo(HashSet()) { it.sourceFile } + rules.mapNotNull { it.srcInfo?.srcFile } -
                 KQML_FILE - File(Config.get().kqmlPlansFile).name,
             mapOf(
-                Offer.BELIEFS to shownOf(agent.bb.filterNot { it.isRule }),
+                Offer.BELIEFS to shownOf(beliefs),
                 Offer.GOALS to shownOf(ts.c.events.map { it.trigger.literal }),
             ),
         )
@@ -146,7 +147,7 @@ internal class Reloading(
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Reports [literals], which are new in the program. They stay new until the agent takes them. */
+    /** Returns the report on [literals], which are new in the program. They stay new until the agent takes them. */
     private fun offered(offer: Offer, literals: List<Literal>) =
         "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
             "(argo.reload([${offer.word}]) takes them)"

@@ -27,6 +27,7 @@ private const val PERCEPTS_ARE_SENSED = "a percept is believed as long as the ag
 internal fun TransitionSystem.believe(text: String): Outcome {
     val takesPlace = text.trim().startsWith(IN_PLACE)
     val belief = literal(text.trim().removePrefix(IN_PLACE).removePrefix("+"), "belief").capply(Unifier()) as Literal // solves sums
+    if (belief.functor == "true" || belief.functor == "false") refuse("$belief is a word of AgentSpeak, which cannot be a belief's name")
     if (!belief.isGround) refuse("the belief $belief has a variable without a value")
     if (belief.hasSource(BeliefBase.APercept)) refuse("$PERCEPTS_ARE_SENSED; believe $text with another source, or with none")
     if (takesPlace) forgetOthers(belief)

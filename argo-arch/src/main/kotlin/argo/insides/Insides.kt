@@ -1,5 +1,6 @@
 package argo.insides
 
+import jason.architecture.AgArch
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSemantics.Circumstance
@@ -53,6 +54,10 @@ object Insides {
 
     /** The cycles since the agent last perceived (`nrcbp`): Jason counts them without publishing the number. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
+
+    /** `insertAgArch` sets these, and puts an architecture into the agent at once; one in a serialized copy must leave the agent alone. */
+    val nextArch: Inside<AgArch?> = of(AgArch::class.java, "successor")
+    val firstArch: Inside<AgArch> = of(AgArch::class.java, "firstArch")
 
     /** True if Jason has notified the agent that it falls asleep; no public member shows this. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")

@@ -9,7 +9,7 @@ import argo.filters.PerceptionFilter
  *
  * The thread of the event calls each function: the agent's, the sensing thread of a port, or the thread that sends commands. So a function
  * must return at once and be safe for use by several threads. Exceptions are caught: they end neither the agent nor its sensing. The first
- * exception of an observer is logged. All functions but [close] do nothing unless they are overridden.
+ * exception of an observer is logged. By default the functions do nothing; only [close] must be implemented.
  */
 interface AgentObserver : AutoCloseable {
     /**

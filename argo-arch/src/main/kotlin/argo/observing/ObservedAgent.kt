@@ -45,7 +45,7 @@ interface ObservedAgent {
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
-    /** Makes the agent stand, and lets it go on. */
+    /** Pauses the agent, and lets it go on. */
     val pausing: Pausing
 
     /** The computers of the agent's system; empty: the system runs on one computer. */
@@ -81,13 +81,13 @@ interface ObservedAgent {
     fun criticalRules(): List<WatchedRule>
 
     /**
-     * Makes the agent perceive through [filter] in its next cycle, or at once if the agent stands; null: through none. The agent's thread
-     * calls [done] afterwards.
+     * Makes the agent perceive through [filter] in its next cycle, or at once if the agent is paused; null: through none. The agent's
+     * thread calls [done] afterwards.
      */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
     /**
-     * Makes the agent start or stop perceiving in its next cycle, or at once if the agent stands. The agent's thread calls [done]
+     * Makes the agent start or stop perceiving in its next cycle, or at once if the agent is paused. The agent's thread calls [done]
      * afterwards.
      */
     fun perceive(open: Boolean, done: () -> Unit)

@@ -5,8 +5,8 @@ import argo.observing.Breakpoint
 import argo.observing.BreakpointOwner
 import argo.observing.PausePhase
 import argo.observing.PausePhase.MAKING_SAFE
+import argo.observing.PausePhase.PAUSED
 import argo.observing.PausePhase.RUNNING
-import argo.observing.PausePhase.STANDING
 import argo.observing.PauseState
 import argo.observing.Pausing
 import argo.observing.SourceLine
@@ -25,7 +25,7 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * The world of an agent that can stand: the parts that a pause needs.
+ * The world of an agent that can be paused: the parts that a pause needs.
  *
  * @property nanos the agent's clock
  * @property makeSafe makes the boards safe, on the agent's thread; returns the result for each board, in words; null: there is no such
@@ -67,7 +67,7 @@ internal class AgentPausing(
     private val isOff get() = refusal != null || isClosed
     private val isWatching get() = !isOff && (until != null || breaks.lines.isNotEmpty())
 
-    /** The reason why an agent stands, and the owners for whom it stands, at least one. */
+    /** The reason why an agent is paused, and the owners for whom it is paused, at least one. */
     private data class Stand(val met: Met, val owners: Set<Any>) {
         fun with(others: Set<Any>) = copy(owners = owners + others)
         fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
@@ -78,11 +78,11 @@ internal class AgentPausing(
 
     private class Until(val stop: Stop, val owner: Any)
 
-    /** The reason why the agent is to stand before its next cycle; null: it is not to stand. Written under the lock. */
+    /** The reason why the agent is to be paused before its next cycle; null: it is not. Written under the lock. */
     @Volatile
     private var wanted: Stand? = null
 
-    /** The reason why the agent stands, and so takes work; null: it does not stand. Under the lock. */
+    /** The reason why the agent is paused, and so takes work; null: it is not paused. Under the lock. */
     private var standing: Stand? = null
 
     @Volatile
@@ -101,12 +101,12 @@ internal class AgentPausing(
         if (isOff) return
         lock.withLock {
             val now = standing.takeUnless { mayGoOn }
-            if (now == null) want(Stand(PAUSED, setOf(owner))) else standing = now.with(setOf(owner))
+            if (now == null) want(Stand(BY_REQUEST, setOf(owner))) else standing = now.with(setOf(owner))
         }
         if (wanted != null) world.wake { wanted == null }
     }
 
-    /** Makes the agent stand for [next], and for all for whom it was already to stand. Under the lock. */
+    /** Pauses the agent for [next], and for all for whom it was already to be paused. Under the lock. */
     private fun want(next: Stand) {
         wanted = next.with(wanted?.owners.orEmpty())
     }
@@ -212,8 +212,8 @@ internal class AgentPausing(
     override fun look(look: () -> Unit): Boolean = meanwhile { asking(look) }
 
     /**
-     * If the agent stands, or is about to, lets its thread do [work] before the agent goes on, and returns true; else returns false. Any
-     * thread may call.
+     * If the agent is paused, or is about to be, lets its thread do [work] before the agent goes on, and returns true; else returns false.
+     * Any thread may call.
      */
     fun meanwhile(work: () -> Unit): Boolean = lock.withLock {
         if (standing == null) return false
@@ -222,7 +222,7 @@ internal class AgentPausing(
         true
     }
 
-    /** Makes the agent stand if it is to stand before the cycle that begins now. Called by its thread. */
+    /** Pauses the agent if it is to be paused before the cycle that begins now. Called by its thread. */
     fun cycleStarting() {
         isInCycle = true
         standIfWanted()
@@ -241,13 +241,13 @@ internal class AgentPausing(
     }
 
     /**
-     * Returns true if the agent need not begin a cycle to stand. In a world that stands still, the agent needs no cycle of its own to
+     * Returns true if the agent need not begin a cycle to pause. In a world that stands still, the agent needs no cycle of its own to
      * stand.
      */
     fun maySleep(): Boolean = world.isStandingStill || wanted == null
 
     /**
-     * Returns true if the agent carries out no intention in this cycle, since it must stand before the next cycle. Called by the agent's
+     * Returns true if the agent carries out no intention in this cycle, since it must pause before the next cycle. Called by the agent's
      * thread between the rules of its cycle.
      */
     fun isHolding(): Boolean {
@@ -263,7 +263,7 @@ internal class AgentPausing(
         if (world.isStandingStill) standIfWanted() else world.wake { wanted == null }
     }
 
-    /** Returns true if the agent must stand now, and notes for whom. */
+    /** Returns true if the agent must pause now, and notes for whom. */
     private fun hasMet(): Boolean {
         val option = ts.c.selectedOption
         val chosen = option.takeIf { it !== lastOption }?.plan
@@ -284,9 +284,9 @@ internal class AgentPausing(
         lock.withLock { until = null }
         world.standing(true)
         val boards = if (world.isStandingStill) listOf(STILL) else makeSafe(met)
-        tell(STANDING, met, boards)
+        tell(PAUSED, met, boards)
         val place = met.place?.run { " at ${file.removePrefix("file:")}:$line" }.orEmpty()
-        log.info { "the agent stands: ${(listOf("${met.why}$place") + boards).joinToString("; ")}" }
+        log.info { "the agent is paused: ${(listOf("${met.why}$place") + boards).joinToString("; ")}" }
         while (true) carryOut(nextWork() ?: break)
         world.standing(false)
         tell(RUNNING, null, emptyList())
@@ -325,13 +325,13 @@ internal class AgentPausing(
     }
 
     private companion object {
-        val PAUSED = Met("it was paused")
+        val BY_REQUEST = Met("by request")
         const val STILL = "the world stands still with it"
         const val UNSAFE = "its boards go on with what they do, since it has no option argo_safe"
     }
 }
 
-/** Returns why the agent with these [architectures] cannot stand, in words; null: it can. */
+/** Returns why the agent with these [architectures] cannot be paused, in words; null: it can. */
 internal fun refusalToPause(architectures: Sequence<AgArch>): String? =
     if (architectures.none { it is LocalAgArchAsynchronous }) null
     else "the agent has a thread each for sensing, deliberating and acting, which cannot stand together; leave out \"asynchronous\" in " +

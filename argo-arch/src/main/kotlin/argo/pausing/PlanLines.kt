@@ -19,11 +19,11 @@ import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.isRegularFile
 import kotlin.math.abs
 
-/** A line at which an agent can stand: that of the trigger of [plan], or that of the step with this [number]. */
+/** A line at which an agent can be paused: that of the trigger of [plan], or that of the step with this [number]. */
 private class PlanLine(val plan: Plan, val number: Int, val text: String, val place: SourceLine)
 
 /**
- * The lines of an agent's plans at which it can stand: the lines of triggers and of steps. They stay as they are when the plans are
+ * The lines of an agent's plans at which it can be paused: the lines of triggers and of steps. They stay as they are when the plans are
  * exchanged. Any thread may call.
  */
 internal class PlanLines(agent: Agent) {
@@ -45,8 +45,8 @@ internal class PlanLines(agent: Agent) {
         .maxOfOrNull { it.getLastModifiedTime() }
 
     /**
-     * Returns the line that the part of a plan at [line] of [file] has [now], after an exchange: in the same plan, or in the most similar
-     * one that has come in its place; null: there is none.
+     * Finds the part of a plan at [line] of [file] among the lines of an exchanged program, [now], and returns its line there: in the same
+     * plan, or in the most similar one that has come in its place; null: there is none.
      */
     fun moved(file: String, line: Int, now: PlanLines): Int? {
         val part = of(file).find { it.place.line == line } ?: return now.from(file, line)

@@ -10,7 +10,7 @@ import argo.calls.wrongArgument
 import jason.asSyntax.Term
 import java.util.concurrent.CompletableFuture
 
-/** The command [command] that makes [boards] safe, before their agent stands. */
+/** The command [command] that makes [boards] safe, before their agent is paused. */
 internal class SafeCommand(private val command: Term, private val boards: AgentBoards) {
     /**
      * Sends the command to each board that the agent perceives, ahead of all waiting commands; if commands wait, also once more behind

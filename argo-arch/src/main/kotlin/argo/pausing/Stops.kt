@@ -19,13 +19,13 @@ import jason.asSyntax.PlanBody
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** The reason why an agent must stand: see [argo.observing.PauseState]. */
+/** The reason why an agent must pause: see [argo.observing.PauseState]. */
 internal data class Met(val why: String, val place: SourceLine? = null, val intention: Int? = null)
 
-/** A condition on which an agent stands. For the agent's thread. */
+/** A condition on which an agent is paused. For the agent's thread. */
 internal fun interface Stop {
     /**
-     * Returns why the agent of [ts] must stand now; null: it need not. The first call may be made before the agent goes on.
+     * Returns why the agent of [ts] must pause now; null: it need not. The first call may be made before the agent goes on.
      * @param chosen the plan that the agent has chosen since the last call; null: none
      */
     fun met(ts: TransitionSystem, chosen: Plan?): Met?

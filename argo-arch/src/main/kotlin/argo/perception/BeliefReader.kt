@@ -2,16 +2,19 @@ package argo.perception
 
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.filters.matching.INFINITE
 import argo.filters.matching.hasComment
 import argo.filters.matching.piecesOf
 import argo.filters.matching.whyClaimed
 import argo.filters.matching.whyUnreadable
 import argo.platform.foreignText
+import jason.asSemantics.Unifier
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.Atom
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal
+import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
 /**
@@ -77,12 +80,11 @@ private fun parse(percept: String): Reading = try {
     val literal = PerceptReader.read(percept)
     when {
         hasComment(percept) -> Reading.Unreadable("it holds a comment, // or /*, and the text of that would be lost; put it in quotes")
+        literal === Literal.LTrue || literal === Literal.LFalse -> Reading.Unreadable(whyUnreadable(percept).orEmpty())
         literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
         !literal.isGround || literal.ns.isVar ->
             Reading.Unreadable("it holds a variable; a sensor's words begin in lower case or stand in quotes")
-        isComputed(literal) ->
-            Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
-        else -> claim(literal)?.let(Reading::Unreadable) ?: Reading.Belief(ownSource(literal))
+        else -> (whyNoValue(literal) ?: claim(literal))?.let(Reading::Unreadable) ?: Reading.Belief(ownSource(literal))
     }
 } catch (refused: PerceptSyntaxException) {
     val detail = if (refused.cause is StackOverflowError) "it is nested too deep"
@@ -90,9 +92,18 @@ private fun parse(percept: String): Reading = try {
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 
-/** Returns true if [term] holds a function that Jason computes, such as `math.random`. A sum of numbers is a number. */
-private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
-    term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
+/** Explains why [term] has no value, or none that stays; null: it has. A sum of numbers is a number. */
+private fun whyNoValue(term: Term): String? = when {
+    term is ArithExpr -> term.terms.firstNotNullOfOrNull(::whyNoValue) ?: whyNoNumber(term.capply(Unifier()) as NumberTerm)
+    term is ArithFunctionTerm -> "it holds a function, which would be computed anew each time that the agent looks at it"
+    term is NumberTerm -> whyNoNumber(term)
+    term is Literal ->
+        (0 until term.arity).firstNotNullOfOrNull { whyNoValue(term.getTerm(it)) }
+            ?: if (term.hasAnnot()) term.annots.firstNotNullOfOrNull(::whyNoValue) else null
+    else -> null
+}
+
+private fun whyNoNumber(number: NumberTerm) = if (number.solve().isFinite()) null else INFINITE
 
 /** The term `off[x]` matches the word `off`. */
 private fun claim(literal: Literal): String? {

@@ -27,8 +27,8 @@ internal interface HandOver {
     fun drain(): List<Snapshot>
 
     /**
-     * Makes the newest snapshot the next to be taken, whatever work is left, and drops all earlier ones, since the agent has stood. Returns
-     * how many of the dropped snapshots the agent would have perceived.
+     * Makes the newest snapshot the next to be taken, whatever work is left, and drops all earlier ones, since the agent was paused.
+     * Returns how many of the dropped snapshots the agent would have perceived.
      */
     fun catchUp(): Int
 

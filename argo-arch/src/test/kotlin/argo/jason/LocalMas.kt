@@ -5,15 +5,22 @@ import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.matchers.shouldBe
+import jason.asSemantics.Agent
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax
+import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import kotlinx.coroutines.runBlocking
+import java.io.ByteArrayOutputStream
+import java.io.ObjectInputStream
+import java.io.ObjectOutputStream
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
@@ -72,6 +79,25 @@ internal class LocalMas : AutoCloseable {
     fun achieve(name: String, goal: String) {
         mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
         mas.getAg(name).wake()
+    }
+
+    /** Serializes agent [name] between two of its cycles, and runs the copy that is read from there under the name [copy]. */
+    fun serialize(name: String, copy: String) {
+        val written = CompletableFuture<Result<ByteArray>>()
+        val ts = mas.getAg(name).ts
+        ts.runAtBeginOfNextCycle {
+            written.complete(runCatching { ByteArrayOutputStream().also { ObjectOutputStream(it).writeObject(ts.ag) }.toByteArray() })
+        }
+        mas.getAg(name).wake()
+        val bytes = written.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).getOrThrow()
+        val agent = ObjectInputStream(bytes.inputStream()).readObject() as Agent
+        val last = generateSequence(agent.ts.agArch) { it.nextAgArch }.last() as LocalAgArch
+        last.agName = copy
+        last.setLogger()
+        agent.setLogger(last)
+        agent.ts.setLogger(last)
+        mas.addAg(last)
+        last.thread = Thread(last).apply { start() }
     }
 
     /** Stops agent [name] as `.kill_agent` does. */

@@ -30,7 +30,7 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 import io.kotest.matchers.string.shouldContain as shouldContainText
 
-/** Agents that stand on their own threads, with boards in real time. */
+/** Agents that are paused on their own threads, with boards in real time. */
 class PausingSpec : FunSpec({
     val reading = AtomicInteger()
 
@@ -38,10 +38,10 @@ class PausingSpec : FunSpec({
         whenAsked("getPercepts").answer { "dist(f,${reading.incrementAndGet()});" }
     }
 
-    /** Does [go] and returns the next state in which the agent stands. */
+    /** Does [go] and returns the next state in which the agent is paused. */
     fun Pausing.standing(go: Pausing.() -> Unit): PauseState {
         val next = CompletableFuture<PauseState>()
-        follow { if (it.phase == PausePhase.STANDING) next.complete(it) }.use {
+        follow { if (it.phase == PausePhase.PAUSED) next.complete(it) }.use {
             go()
             return next.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS)
         }
@@ -55,14 +55,14 @@ class PausingSpec : FunSpec({
 
     fun seen(board: FakeBoard) = board.received().filter { it.startsWith("seen") }
 
-    test("a paused agent makes its board safe, is sensed while it stands, and goes on with the newest snapshot") {
+    test("a paused agent makes its board safe, is sensed while it is paused, and goes on with the newest snapshot") {
         board().use { board ->
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING, mapOf("argo_safe" to "stop"))
                 eventually(LIMIT) { seen(board).size shouldBeGreaterThan 2 }
                 val pausing = mas.observed("bob").pausing
                 pausing.standing { pause() }.run {
-                    why shouldBe "it was paused"
+                    why shouldBe "by request"
                     boards shouldBe listOf("the board on \"sim:robot\" has got stop")
                 }
                 board.received().last { !it.startsWith("getPercepts") } shouldBe "stop"
@@ -74,12 +74,12 @@ class PausingSpec : FunSpec({
                 eventually(LIMIT) { seen(board).size shouldBeGreaterThan before.size }
                 val next = seen(board)[before.size].removePrefix("seen(").removeSuffix(")").toInt()
                 next shouldBeGreaterThan last - 1
-                mas.log shouldContainText "the agent stands: it was paused; the board on"
+                mas.log shouldContainText "the agent is paused: by request; the board on"
             }
         }
     }
 
-    test("with argo_sensing=every, the snapshots that came while it stood are left out, which is told") {
+    test("with argo_sensing=every, the snapshots that came while it was paused are left out, which is told") {
         board().use { board ->
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING, mapOf("argo_sensing" to "every"))
@@ -89,7 +89,7 @@ class PausingSpec : FunSpec({
                 val last = reading.get() + 5
                 eventually(LIMIT) { reading.get() shouldBeGreaterThan last }
                 pausing.goOn()
-                eventually(LIMIT) { mas.log shouldContainText "snapshots that came while the agent stood are left out" }
+                eventually(LIMIT) { mas.log shouldContainText "snapshots that came while the agent was paused are left out" }
             }
         }
     }
@@ -112,7 +112,7 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("an agent stands before the step at a breakpoint, once, and can be asked there") {
+    test("an agent is paused before the step at a breakpoint, once, and can be asked there") {
         board().use { board ->
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING)
@@ -159,7 +159,7 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("an order to an agent that stands is carried out at once") {
+    test("an order to an agent that is paused is carried out at once") {
         LocalMas().use { mas ->
             mas.agent("bob", COUNTING)
             val observed = mas.observed("bob")
@@ -168,11 +168,11 @@ class PausingSpec : FunSpec({
             observed.order(Order.Believe("limit(60)")) { outcome.complete(it) }
             outcome.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS).refusal shouldBe null
             observed.pausing.ask { "limit(60)[source(self)]" in observed.beliefs.map { "$it" } } shouldBe true
-            observed.pausing.state.phase shouldBe PausePhase.STANDING
+            observed.pausing.state.phase shouldBe PausePhase.PAUSED
         }
     }
 
-    test("a command and a change of what is perceived are carried out while the agent stands") {
+    test("a command and a change of what is perceived are carried out while the agent is paused") {
         board().use { board ->
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING)
@@ -187,7 +187,7 @@ class PausingSpec : FunSpec({
                 observed.perceiveThrough(null) { observed.perceive(open = false) { isDone.complete(Unit) } }
                 isDone.get(LIMIT.inWholeSeconds, TimeUnit.SECONDS)
                 observed.isPerceiving shouldBe false
-                observed.pausing.state.phase shouldBe PausePhase.STANDING
+                observed.pausing.state.phase shouldBe PausePhase.PAUSED
             }
         }
     }
@@ -200,7 +200,7 @@ class PausingSpec : FunSpec({
             suspend fun runs() = eventually(LIMIT) { pausing.state.phase shouldBe PausePhase.RUNNING }
             pausing.standing { pause() }
             pausing.release(one)
-            pausing.ask { pausing.state.why } shouldBe "it was paused"
+            pausing.ask { pausing.state.why } shouldBe "by request"
             pausing.standing { goOnUntil(StopAt.NextCycle, one) }
             pausing.pause(other)
             pausing.release(one)
@@ -219,7 +219,7 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("an agent that is to stand does not fall asleep first, though it has nothing to do") {
+    test("an agent that is to be paused does not fall asleep first, though it has nothing to do") {
         LocalMas().use { mas ->
             mas.agent("bob", "idle.")
             val observed = mas.observed("bob")
@@ -296,7 +296,7 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("an agent of three threads cannot stand, which is told") {
+    test("an agent of three threads cannot be paused, which is told") {
         val ts = TransitionSystem(Agent(), null, Settings(), LocalAgArchAsynchronous())
         val refusal = refusalToPause(architectures(ts))
         refusal.orEmpty() shouldContainText "the agent has a thread each for sensing, deliberating and acting"
@@ -309,7 +309,7 @@ class PausingSpec : FunSpec({
         }
     }
 
-    test("an agent that is killed while it stands leaves nothing, and one with a wrong safe command is told so") {
+    test("an agent that is killed while it is paused leaves nothing, and one with a wrong safe command is told so") {
         board().use { board ->
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING, mapOf("argo_safe" to "stop("))

@@ -72,6 +72,25 @@ class BeliefReaderSpec : FunSpec({
         warnings shouldHaveSize 2
     }
 
+    test("a truth value is not a percept, but may be in one") {
+        listOf("true", "false", " true ").forEach { read(it).shouldBeEmpty() }
+        warnings.map { it.substringAfter(": ") }.distinct() shouldBe
+            listOf("true", "false").map { "$it is a word of AgentSpeak, which cannot be a percept's name" }
+        read("wall(true)") shouldHaveSize 1
+        read("trueNorth(4)") shouldHaveSize 1
+    }
+
+    test("a percept with a number that is infinite or none is left out") {
+        for (text in listOf("n(1e999)", "n(-1e999)", "n(1/0)", "n(0/0)", "n(1e300*1e300)", "n([1,q(1e999)])", "n(1)[at(1e999)]")) {
+            warnings.clear()
+            withClueOf(text) {
+                read(text).shouldBeEmpty()
+                warnings.single() shouldContain "it holds a number that is infinite or none"
+            }
+        }
+        read("n(1.7976931348623157e308,-1e308)") shouldHaveSize 1
+    }
+
     test("a comment is no part of a percept, so a percept with one is left out") {
         listOf("c(1) // dist(f,0)", "c(/* no */ 8)").forEach { read(it).shouldBeEmpty() }
         warnings.forEach { it shouldContain "it holds a comment" }

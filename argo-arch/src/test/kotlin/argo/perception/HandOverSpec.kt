@@ -232,7 +232,7 @@ class HandOverSpec : FunSpec({
             told.size shouldBe 1
         }
 
-        test("after the agent has stood, the newest is taken next whatever work is left, and none before it") {
+        test("after the agent was paused, the newest is taken next whatever work is left, and none before it") {
             val ledger = CommandLedger { Robot }
             val handOver = FreshHandOver(EarlierWork(ledger))
             ledger.issue(Robot)
@@ -279,7 +279,7 @@ class HandOverSpec : FunSpec({
             handOver.take() shouldBe null
         }
 
-        test("after the agent has stood gives the newest only, and counts the others") {
+        test("after the agent was paused gives the newest only, and counts the others") {
             val handOver = EveryHandOver { }
             for (n in 1L..5) handOver.put(snapshot(n))
             handOver.catchUp() shouldBe 4

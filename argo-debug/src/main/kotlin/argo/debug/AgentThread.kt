@@ -25,7 +25,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
 
     /**
      * Returns what [ask] returns, which the agent's thread calls.
-     * @throws DebugException if the agent does not stand
+     * @throws DebugException if the agent is not paused, or does not answer in time
      */
     fun <T> asking(ask: () -> T): T {
         val answer = CompletableFuture<T>()
@@ -36,7 +36,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
                 answer.completeExceptionally(failed)
             }
         }
-        if (!stands) throw DebugException("agent ${agent.name} does not stand; pause it first")
+        if (!stands) throw DebugException("agent ${agent.name} is not paused; pause it first")
         try {
             return answer.get(PATIENCE_S, TimeUnit.SECONDS)
         } catch (failed: java.util.concurrent.ExecutionException) {
@@ -46,7 +46,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
         }
     }
 
-    fun stands(state: PauseState = pausing.state) = state.phase == PausePhase.STANDING
+    fun isPaused(state: PauseState = pausing.state) = state.phase == PausePhase.PAUSED
 
     private companion object {
         const val PATIENCE_S = 10L

@@ -106,11 +106,11 @@ internal class DebugSession(private val agents: List<AgentThread>) :
     private fun follow(thread: AgentThread) {
         synchronized(followed) { followed.getOrPut(thread) { thread.pausing.follow { changed(thread, it) } } }
         thread.pausing.refusal?.let { why -> say("agent ${thread.agent.name} cannot be paused: $why") }
-        if (thread.stands()) changed(thread, thread.pausing.state)
+        if (thread.isPaused()) changed(thread, thread.pausing.state)
     }
 
     private fun changed(thread: AgentThread, state: PauseState) {
-        if (thread.stands(state)) return stopped(thread, state)
+        if (thread.isPaused(state)) return stopped(thread, state)
         if (state.why != null) return // its boards are being made safe
         frames.forget(thread)
         tell { it.continued(ContinuedEventArguments().apply { threadId = thread.number }) }
@@ -189,7 +189,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
 
     override fun evaluate(args: EvaluateArguments) = answer {
         val frame = args.frameId?.let(frames::frame)
-        val thread = frame?.thread ?: agents.find { it.stands() } ?: throw DebugException("no agent stands; pause one first")
+        val thread = frame?.thread ?: agents.find { it.isPaused() } ?: throw DebugException("no agent is paused; pause one first")
         EvaluateResponse().apply { result = thread.asking { valueOf(args.expression, thread.agent.reasoning.ag, frame?.means?.unif) } }
     }
 
@@ -253,7 +253,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         tell { it.thread(event("exited", thread)) }
     }
 
-    /** Ends the session: the agents forget its breakpoints, and agents that stand only for it go on. Idempotent. */
+    /** Ends the session: the agents forget its breakpoints, and agents that are paused only for it go on. Idempotent. */
     fun end() {
         synchronized(followed) { followed.values.forEach(AutoCloseable::close) }
         agents.forEach { it.pausing.release(this) }

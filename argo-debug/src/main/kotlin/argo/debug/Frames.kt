@@ -15,7 +15,7 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * The view that a debugger has of agents that stand, by numbers that hold until the agent goes on. Any thread may call.
+ * The view that a debugger has of agents that are paused, by numbers that hold until the agent goes on. Any thread may call.
  *
  * @param pathOf returns the path by which the debugger calls a file with this name; null: it has not named the file yet
  */

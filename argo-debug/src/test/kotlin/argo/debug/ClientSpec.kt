@@ -116,7 +116,7 @@ class ClientSpec : FunSpec({
         val command = listOf("java", "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt", "replay", "$recording")
         val replay = ProcessBuilder(command + listOf("--debug", "$free")).start()
         val errors = replay.errorStream.bufferedReader()
-        val told = generateSequence { errors.readLine() }.takeWhile { "stands before its first cycle" !in it }.toList()
+        val told = generateSequence { errors.readLine() }.takeWhile { "is paused before its first cycle" !in it }.toList()
         withClue(told) { told.single { "has changed since" in it } shouldContain "$file" }
         val said = session(free, file)
         val report = replay.inputStream.readBytes().decodeToString()

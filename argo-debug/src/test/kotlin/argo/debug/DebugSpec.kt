@@ -103,8 +103,8 @@ class DebugSpec : FunSpec({
     test("an agent that is paused without an intention has a frame too, and one that runs answers nothing") {
         val isPaused = CompletableFuture<Unit>()
         debugging({ isPaused.get(1, TimeUnit.MINUTES); after(1.seconds).shouldNotSend("turn(38)") }) {
-            said { frames(1).toString() } shouldBe "agent bob does not stand; pause it first"
-            evaluate("far(_)") shouldBe "no agent stands; pause one first"
+            said { frames(1).toString() } shouldBe "agent bob is not paused; pause it first"
+            evaluate("far(_)") shouldBe "no agent is paused; pause one first"
             server.pause(PauseArguments().apply { threadId = 1 }).value()
             isPaused.complete(Unit)
             frames(stop().threadId).single().name shouldBe "no intention"

@@ -3,13 +3,13 @@ package argo.filters
 
 import kotlin.time.Duration
 
-/** A rule on a declared percept type under construction, the context parameter of the functions in this file. */
+/** A rule under construction, on a declared percept type: the context parameter of the functions in this file. */
 open class TypedRule internal constructor(internal val type: PerceptType, internal val conditions: RuleConditions)
 
-/** A critical rule on a declared percept type under construction. */
+/** A critical rule under construction, on a declared percept type. */
 class TypedCriticalRule internal constructor(type: PerceptType, internal val critical: CriticalConditions) : TypedRule(type, critical)
 
-/** A smoothing rule on a declared percept type under construction. */
+/** A smoothing rule under construction, on a declared percept type. */
 class TypedSmoothingRule internal constructor(type: PerceptType, internal val smoothing: SmoothingConditions) : TypedRule(type, smoothing)
 
 /** The rule tests the percept that a smoothing rule selects: `smoothed()`; see [CriticalRule.smoothed]. */

@@ -12,6 +12,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
+import java.util.concurrent.ConcurrentHashMap
 
 /** Describes a field of a recording by [text]. The schema in the file contains this text, for people who use another program. */
 @OptIn(ExperimentalSerializationApi::class)
@@ -20,7 +21,11 @@ import kotlinx.serialization.json.putJsonObject
 @Target(AnnotationTarget.PROPERTY)
 annotation class Holds(val text: String)
 
-internal fun jsonSchema(descriptor: SerialDescriptor): String = "${schemaOf(descriptor)}"
+/** Each agent has channels of the same schemas. */
+private val known = ConcurrentHashMap<SerialDescriptor, String>()
+
+/** Returns the JSON schema of values with [descriptor]. Any thread may call. */
+internal fun jsonSchema(descriptor: SerialDescriptor): String = known.computeIfAbsent(descriptor) { "${schemaOf(it)}" }
 
 @OptIn(ExperimentalSerializationApi::class)
 private fun schemaOf(descriptor: SerialDescriptor, meaning: String? = null): JsonObject = buildJsonObject {

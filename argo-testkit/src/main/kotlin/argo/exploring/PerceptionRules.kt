@@ -19,8 +19,8 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 
 /**
  * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
- * agent sends none of [moving]. If an agent is blind for longer than [within], and its last command of [moving] and [safe] was one of
- * [moving], it sends [safe]. The time [within] begins when the agent gets blind or, if the port was off, when the port returns.
+ * agent sends none of [moving]. An agent that is blind for longer than [within], and has sent one of [moving] but not [safe] since, sends
+ * [safe]. The time [within] begins when the agent gets blind or, if the port was off, when the port returns.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */

@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.recording.replay.CommandDifference
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
-import argo.recording.replay.SentCommand
+import argo.recording.replay.TimedCommand
 import argo.recording.replay.WhatIf
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
@@ -82,13 +82,13 @@ class ReplayedDrive internal constructor(private val file: String, private val a
             "recorded: ${listed(this@ReplayedDrive.before, same)}\nsent now: ${listed(this@ReplayedDrive.now, same)}"
     }
 
-    private fun described(command: SentCommand?) = command?.let { sent ->
+    private fun described(command: TimedCommand?) = command?.let { sent ->
         "${sent.text} at ${at(sent)}${sent.place?.let { " ($it)" }.orEmpty()}"
     }
 
-    private fun at(command: SentCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
+    private fun at(command: TimedCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
 
-    private fun listed(commands: List<SentCommand>, first: Int): String {
+    private fun listed(commands: List<TimedCommand>, first: Int): String {
         val shown = commands.drop(maxOf(0, first - SHOWN_BEFORE)).take(SHOWN).ifEmpty { return "nothing" }
         return shown.joinToString("") { "\n    ${at(it)}: ${it.text}${it.place?.let { place -> " ($place)" }.orEmpty()}" }
     }

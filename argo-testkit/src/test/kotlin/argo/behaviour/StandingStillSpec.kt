@@ -19,7 +19,7 @@ import kotlin.time.Duration.Companion.seconds
 class StandingStillSpec : FunSpec({
     val project = Project(tempdir().toPath())
 
-    /** Bob's drive, with what a debugger does each time that he stands; returns the commands with their times, and these times. */
+    /** Bob's drive, with what a debugger does each time that he is paused; returns the commands with their times, and these times. */
     fun drive(lines: List<Int>, debugger: (PauseState, StopAt?) -> StopAt?): Pair<List<Arrival>, List<Duration>> {
         val stood = ArrayList<Duration>()
         val bob = project.agent(DRIVING) { options("argo_diary" to "pauses") }
@@ -27,7 +27,7 @@ class StandingStillSpec : FunSpec({
             val pausing = DiaryProvider.opened.getValue("pauses").agent.pausing
             var last: StopAt? = null
             pausing.follow {
-                if (it.phase == PausePhase.STANDING) {
+                if (it.phase == PausePhase.PAUSED) {
                     stood += bob.now
                     last = debugger(it, last)
                     last?.let(pausing::goOnUntil) ?: pausing.goOn()

@@ -68,6 +68,7 @@ class OrdersSpec : FunSpec({
                 "what is no literal" to
                     (Order.Believe("limit(") to "'limit(' is no belief that Jason can read: Encountered \"<EOF>\" at line 1"),
                 "a belief with a variable" to (Order.Believe("limit(X)") to "limit(X) has a variable without a value"),
+                "a truth value" to (Order.Believe("true") to "true is a word of AgentSpeak, which cannot be a belief's name"),
                 "a percept" to (Order.Believe("dist(f,3)[source(percept)]") to "is believed as long as the agent perceives it"),
                 "a variable" to (Order.Believe("X") to "a belief is a literal such as near(wall), not X"),
                 "a string" to (Order.Begin("\"patrol\"") to "is no goal that Jason can read"),

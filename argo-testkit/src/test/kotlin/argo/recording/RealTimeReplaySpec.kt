@@ -143,7 +143,7 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
-    test("an agent that stands at breakpoints, is asked and given orders there, and goes on") {
+    test("an agent that is paused at breakpoints, is asked and given orders there, and goes on") {
         val file = recordingFile()
         LiveMas(file).use { mas ->
             mas.agent(
@@ -163,7 +163,7 @@ class RealTimeReplaySpec : FunSpec({
             val (pausing, reasoning) = walker.pausing to walker.reasoning
             val asked = AtomicInteger()
             pausing.follow {
-                if (it.phase == PausePhase.STANDING) {
+                if (it.phase == PausePhase.PAUSED) {
                     val question = ASSyntax.parseFormula("near(_) & .random(_)")
                     pausing.look { if (reasoning.ag.believes(question, Unifier())) asked.incrementAndGet() }
                     walker.order(Order.Believe("told(${asked.get()})")) { }
@@ -189,7 +189,7 @@ class RealTimeReplaySpec : FunSpec({
                 val pausing = replay.pausing("walker")
                 pausing.breakAt(this, "walker.asl", listOf(4, 6))
                 pausing.follow {
-                    if (it.phase == PausePhase.STANDING) pausing.goOn().also { _ -> lines += it.place?.line }
+                    if (it.phase == PausePhase.PAUSED) pausing.goOn().also { _ -> lines += it.place?.line }
                 }
                 replay.run().differences.shouldBeEmpty()
             }

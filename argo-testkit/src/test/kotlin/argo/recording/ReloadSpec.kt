@@ -15,6 +15,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeSameInstanceAs
+import jason.mas2j.ClassParameters
 import java.nio.file.Path
 import java.time.Duration
 import kotlin.io.path.deleteIfExists
@@ -63,6 +64,17 @@ class ReloadSpec : FunSpec({
             hears("boss", "achieve", "a").after(50.milliseconds).printed shouldContainExactly listOf("aa")
         }
         shouldReplay(recording)
+    }
+
+    test("the belief base of an agent in a database is not asked for all beliefs") {
+        val file = folder.resolve("database.asl").apply { writeText("far(3).\nis(X) :- X = a.\n+!a : is(X) <- .print(X).\n") }
+        agent(file) { beliefBase = ClassParameters(planted.Unreachable::class.java.name) }.use { bob ->
+            bob.reloaded(file, "far(3).\nnear(4).\nis(X) :- X = b.\n+!a : is(X) <- .print(X).\n").told shouldContainExactly listOf(
+                "none of the 1 plans has changed", "rules exchanged: is/1",
+                "new initial beliefs, not believed: near(4) (argo.reload([beliefs]) takes them)",
+            )
+            bob.hears("boss", "achieve", "a").after(50.milliseconds).printed shouldContainExactly listOf("b")
+        }
     }
 
     test("an intention finishes the plan that it has begun, and its next goal has the new one") {

@@ -3,7 +3,7 @@ package argo.recording
 import argo.recording.replay.CommandDifference
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
-import argo.recording.replay.SentCommand
+import argo.recording.replay.TimedCommand
 import argo.recording.replay.WhatIf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -115,8 +115,8 @@ class WhatIfSpec : FunSpec({
     }
 
     test("commands are compared in their order and by their times") {
-        fun sent(text: String, ms: Int, port: String? = null) = SentCommand(1, ms * 1_000_000L, port, text, null)
-        fun kind(recorded: List<SentCommand>, now: List<SentCommand>) =
+        fun sent(text: String, ms: Int, port: String? = null) = TimedCommand(1, ms * 1_000_000L, port, text, null)
+        fun kind(recorded: List<TimedCommand>, now: List<TimedCommand>) =
             CommandDifference.first(recorded, now, Duration.ofMillis(100), Duration.ofSeconds(2).toNanos())?.kind
         kind(emptyList(), emptyList()) shouldBe null
         kind(listOf(sent("go", 0, "a")), listOf(sent("go", 90))) shouldBe null

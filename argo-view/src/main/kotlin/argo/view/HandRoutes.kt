@@ -7,7 +7,7 @@ import argo.observing.Pausing
 import argo.observing.StopAt
 import kotlinx.serialization.Serializable
 
-/** Responds to the buttons that change [agent] or make it stand. Safe for use by several threads. */
+/** Responds to the buttons that change [agent] or pause it. Safe for use by several threads. */
 internal class HandRoutes(private val agent: ObservedAgent, private val breakpoints: PageBreakpoints) {
     val routes: Map<String, Route> = mapOf(
         "/believe" to ordering("believed", Order::Believe),
@@ -15,7 +15,7 @@ internal class HandRoutes(private val agent: ObservedAgent, private val breakpoi
         "/begin" to ordering("begun", Order::Begin),
         "/drop" to ordering("dropped", Order::Drop),
         "/reload" to Route.post<NoRequest> { reload() },
-        "/pause" to Route.post<NoRequest> { told("the agent is asked to stand") { pause() } },
+        "/pause" to Route.post<NoRequest> { told("the agent is asked to pause") { pause() } },
         "/go" to Route.post<NoRequest> { told("the agent goes on") { goOn() } },
         "/step" to Route.post<NoRequest> { told("the agent goes on for a cycle") { goOnUntil(StopAt.NextCycle) } },
         "/until" to Route.post<TextRequest> { told("the agent goes on until ${it.text}") { goOnUntil(stopAt(it.text.trim())) } },

@@ -28,7 +28,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
     private var lookedNanos: Long? = null
     private var hasFailed = false
 
-    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread, between two cycles or while it stands. */
+    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread, between two cycles or while paused. */
     fun look() {
         if (!isWatched) return
         if (isTooEarly()) {

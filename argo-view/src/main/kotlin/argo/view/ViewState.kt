@@ -64,9 +64,9 @@ internal data class AgentState(val name: String, val viewPort: Int?)
 /**
  * Whether the agent goes on.
  *
- * @property phase `running`, `making_safe` (its boards) or `standing`
- * @property words why the agent stands, and the result of making its boards safe, in lines
- * @property intention the number of the intention in which it stands; null: it stands in none
+ * @property phase `running`, `making_safe` (its boards) or `paused`
+ * @property words why the agent is paused, and the result of making its boards safe, in lines
+ * @property intention the number of the intention in which it is paused; null: it is paused in none
  */
 @Serializable
 internal data class PauseState(val phase: String, val words: String, val intention: Int?)

@@ -306,7 +306,7 @@ function showIntentions({ intentions: { total, intentions }, pause }) {
   text($('intentions-count'), total ? `${total}` : '');
   text($('intentions-words'), total > intentions.length ? `${total - intentions.length} more are not shown.` : '');
   rows($('intentions'), intentions, ({ id }) => String(id), () => actingRow('drop'), (line, { id, state, waitsFor, plans, more, goal }) => {
-    const [words, kind] = id === pause.intention ? ['stands here', 'warn'] : [state, INTENTIONS[state] || ''];
+    const [words, kind] = id === pause.intention ? ['paused here', 'warn'] : [state, INTENTIONS[state] || ''];
     fill(
       line, plans[0]?.trigger ?? '', words, kind, '',
       joined(
@@ -383,7 +383,7 @@ function showHead(shown) {
   $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
     : 'The agent perceives its board again';
   text($('pause'), isRunning(shown) ? 'Pause' : 'Go on');
-  $('pause').title = isRunning(shown) ? 'The agent stands between two cycles; its boards are made safe before' : 'The agent goes on';
+  $('pause').title = isRunning(shown) ? 'Pauses the agent between two cycles; its boards are made safe before' : 'The agent goes on';
   ['percepts', 'reload', 'pause', 'step'].forEach(id => disable($(id)));
   $('step').disabled ||= isRunning(shown);
   document.querySelectorAll('form.send button').forEach(disable);
@@ -395,8 +395,8 @@ function disable(button) { button.disabled = waits || connection !== 'live' || B
 
 function showConnection() {
   const isLive = connection === 'live';
-  const standing = state && !isRunning(state) && [state.pause.phase === 'standing' ? 'stands' : 'comes to a stand', 'warn'];
-  const special = frozen ? ['frozen', 'warn'] : state && silence(state) ? ['board silent', 'bad'] : standing;
+  const paused = state && !isRunning(state) && [state.pause.phase === 'paused' ? 'paused' : 'is being paused', 'warn'];
+  const special = frozen ? ['frozen', 'warn'] : state && silence(state) ? ['board silent', 'bad'] : paused;
   chip($('connection'), ...(isLive && special || CONNECTIONS[connection]));
 }
 

@@ -49,7 +49,7 @@ class HandRoutesSpec : FunSpec({
         agent.ask("/until", """{"text":"dist("}""") shouldBe (422 to """{"message":"dist( is no literal"}""")
     }
 
-    test("an agent that cannot stand says why") {
+    test("an agent that cannot be paused says why") {
         val agent = Ordered()
         agent.pausing.refusal = "this agent has three threads"
         agent.ask("/pause", "{}") shouldBe (422 to """{"message":"this agent has three threads"}""")

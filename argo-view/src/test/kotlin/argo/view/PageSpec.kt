@@ -353,19 +353,19 @@ class PageSpec : FunSpec({
             await { texts("#breakpoints .text").size == 1 }
             enter("#goal", "rest")
             press("Begin")
-            await { text("#connection") == "stands" && texts("#intentions .chip") == listOf("stands here") }
+            await { text("#connection") == "paused" && texts("#intentions .chip") == listOf("paused here") }
             picture("stands")
             enter("#belief", "noted(standing)")
             press("Believe")
             await { "noted(standing)" in texts("#beliefs .text") }
             press("One cycle")
-            await { text("#connection") == "stands" }
+            await { text("#connection") == "paused" }
             press("remove")
             await { texts("#breakpoints .text").isEmpty() }
             press("Go on")
             await { text("#connection") == "live" && texts("#intentions .detail").single().startsWith("waits for .wait") }
             press("Pause")
-            await { text("#connection") == "stands" }
+            await { text("#connection") == "paused" }
             mas.awaitBelief("bob", "noted(standing)")
         }
     }

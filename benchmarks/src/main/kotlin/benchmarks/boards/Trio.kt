@@ -3,12 +3,12 @@ package benchmarks.boards
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
 import benchmarks.Distribution
+import benchmarks.stops.CYCLE_TIME
 import benchmarks.stops.StopCourse
 import benchmarks.stops.UnoOnLine
 import benchmarks.stops.WatchedRobot
 import javino.Frame
 import kotlin.random.Random
-import kotlin.time.Duration.Companion.microseconds
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
@@ -29,7 +29,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
 
     private val agent: TestAgent = agentOf(program()) {
         name = "robot"
-        cycleTime = 100.microseconds
+        cycleTime = CYCLE_TIME
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 

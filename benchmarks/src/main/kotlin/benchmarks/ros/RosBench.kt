@@ -20,7 +20,7 @@ private const val WORK_MS = 100L
  * messages on which an agent acts if it takes 100 ms for each message of a bridge. Each of three rates is measured for a minute. Also
  * measures the time until an agent acts again after its bridge has restarted. Prints the figures.
  *
- * @param seconds the time of each rate
+ * @param seconds for how long each rate is measured
  * @param python a Python that has roslibpy; null: there is none, and nothing is compared
  * @return true if the agent reacts as fast as the client at least, no message was lost, no command was carried out twice, and no thread or
  *   connection was left behind

@@ -26,7 +26,7 @@ internal data class StopCourse(
     val firmware: Firmware = Firmware.LIBRARY,
     val loopMs: Int = 1,
     val filter: String = "none",
-    val cycleTime: Duration = 100.microseconds,
+    val cycleTime: Duration = CYCLE_TIME,
 ) {
     val elf: Path get() = Bench.elf(firmware.sketch, baud, loopMs)
 
@@ -37,9 +37,12 @@ internal data class StopCourse(
         "the field's library".takeIf { firmware == Firmware.FIELD },
         "loop() of $loopMs ms",
         "filter $filter".takeIf { filter != "none" },
-        "$cycleTime a cycle".takeIf { cycleTime != 100.microseconds },
+        "$cycleTime a cycle".takeIf { cycleTime != CYCLE_TIME },
     ).joinToString()
 }
+
+/** The time of a reasoning cycle of the benches of stops and boards, if a course has no other. */
+internal val CYCLE_TIME = 100.microseconds
 
 /** The files of the bench of stops: sources, and the output of `make bench` in `javino-arduino`. */
 internal object Bench {

@@ -2,24 +2,10 @@ package experiment.analysis
 
 import org.apache.commons.math3.distribution.BinomialDistribution
 import org.apache.commons.math3.stat.interval.WilsonScoreInterval
-import kotlin.math.ceil
-import kotlin.math.log10
 
 internal const val CONFIDENCE = 0.95
 
-internal data class Interval(val low: Double, val high: Double) {
-    /**
-     * The number of meaningful decimals, from 0 to 3. Half the width has two digits if these are below 36, otherwise one digit. This is the
-     * rule of the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
-     */
-    val decimals: Int
-        get() = if (high > low) ceil(log10(ONE_DIGIT / ((high - low) / 2))).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
-
-    private companion object {
-        const val MAX_DECIMALS = 3
-        const val ONE_DIGIT = 3.55
-    }
-}
+internal data class Interval(val low: Double, val high: Double)
 
 /**
  * Returns the interval of an event's probability if [found] of [of] runs had the event. The interval is Wilson's score interval,

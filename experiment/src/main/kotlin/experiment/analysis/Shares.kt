@@ -40,7 +40,7 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * A sum of squares over the variance is noncentral chi-squared. The noncentrality is the variance's share in the responses, times their
  * [count]. So a share is `own / (own + others + count)` in noncentralities. A random number replaces each noncentrality. The distribution
  * function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The variance is
- * replaced by [error] over a chi-squared random number. The interval lies between the percentiles of the share.
+ * replaced by [error] over a chi-squared random number. The ends of the interval are two percentiles of the shares so drawn.
  *
  * Without other effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9,
  * 2004). For several effects this distribution gives no interval.

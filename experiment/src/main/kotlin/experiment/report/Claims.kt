@@ -12,9 +12,6 @@ import experiment.exchangeNanos
 import experiment.leastStopNanos
 import experiment.leavesTime
 import experiment.limitNanos
-import java.math.BigDecimal
-import java.math.MathContext
-import java.util.Locale
 import kotlin.math.abs
 
 /** The finding of these runs on a published or promised claim. */
@@ -155,13 +152,3 @@ else "The agent gets the newest frame, and gets it when it has handled the event
 
 /** Returns the median of [values], which are not empty. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
-
-/** Writes [value] with this number of [decimals]. A value that rounds to 0 has no sign. */
-internal fun rounded(value: Double, decimals: Int): String =
-    String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
-
-internal fun whole(value: Double): String = rounded(value, 0)
-internal fun one(value: Double): String = rounded(value, 1)
-internal fun three(value: Double): String = rounded(value, 3)
-
-internal fun twoDigits(value: Double): String = BigDecimal(value).round(MathContext(2)).toPlainString()

@@ -23,7 +23,10 @@ import javino.wire.CommandItem;
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
-    private static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(FrameWriter.PATIENCE_MILLIS);
+    /** The most milliseconds that a command waits while nothing gets through, and again while the driver takes nothing. */
+    static final int STUCK_MILLIS = 5000;
+
+    private static final long STUCK_NANOS = TimeUnit.MILLISECONDS.toNanos(STUCK_MILLIS);
 
     private final String port;
     private final Monitor monitor;
@@ -134,17 +137,17 @@ final class CommandLoop {
             return now + Monitor.FOREVER;
         }
         long moved = line.movedNanos();
-        long since = now - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(now) : moved;
-        return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
+        long since = now - moved >= STUCK_NANOS ? writer.waitingSince().orElse(now) : moved;
+        return (since - moved > 0 ? since : moved) + STUCK_NANOS;
     }
 
-    /** Fails commands that waited {@link #PATIENCE_NANOS} while nothing got through, but not those with a time limit. */
+    /** Fails commands that waited {@link #STUCK_NANOS} while nothing got through, but not those with a time limit. */
     private void giveUpStuck() {
         long now = clock.nanos();
         if (patienceEnds() - now > 0) {
             return;
         }
-        long before = now - PATIENCE_NANOS;
+        long before = now - STUCK_NANOS;
         List<Command> stuck =
                 writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
         Long moved = line.movedNanos();
@@ -152,7 +155,7 @@ final class CommandLoop {
             toldNanos = moved;
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "port " + port + ": commands that have waited for " + FrameWriter.PATIENCE_MILLIS + " ms fail, "
+                    "port " + port + ": commands that have waited for " + STUCK_MILLIS + " ms fail, "
                             + stuck.size() + " of them now: "
                             + line.board().noSession().orElseGet(writer::whyNoTime)
                             + "; this is not reported again until one gets through");
@@ -164,7 +167,7 @@ final class CommandLoop {
         return line.board()
                 .noSession()
                 .map(why -> new PortTimeoutException(port, why))
-                .orElseGet(() -> writer.noTime(command.frame().length(), FrameWriter.PATIENCE_MILLIS));
+                .orElseGet(() -> writer.noTime(command.frame().length(), STUCK_MILLIS));
     }
 
     void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
@@ -180,7 +183,7 @@ final class CommandLoop {
                 ask();
                 line.await(
                         () -> own.isOver() || line.mustAskFirst(),
-                        own.isWaiting() ? deadline : clock.nanos() + PATIENCE_NANOS,
+                        own.isWaiting() ? deadline : clock.nanos() + STUCK_NANOS,
                         false);
             }
             join(own);

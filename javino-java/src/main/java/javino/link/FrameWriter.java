@@ -33,9 +33,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         byte[] make() throws PortException;
     }
 
-    /** The most milliseconds that a command waits while nothing gets through, and again while the driver takes nothing. */
-    static final int PATIENCE_MILLIS = 5000;
-
     private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
 
     private final Monitor monitor;

@@ -35,7 +35,7 @@ import javino.wire.CommandItem;
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
- * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until the start, a request is repeated every 250 ms, or after its
+ * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then, a request is repeated every 250 ms, or after its
  * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
  * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
@@ -272,17 +272,21 @@ public final class Link implements AutoCloseable {
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.session().takeHeard(); // messages from before the command are no answer to it
         sendAndAwait(message, timeoutMillis);
-        return listen(timeoutMillis);
+        return listen(
+                timeoutMillis,
+                noAnswerTo(message),
+                "the board has taken it as a command: does the sketch send a message behind it?");
+    }
+
+    private static String noAnswerTo(String message) {
+        return "gave no answer to \"" + message + "\"";
     }
 
     private Reply exchange(Frame request, int timeoutMillis) throws PortException {
         Reply answered = reading(() -> {
             Reply answer = channel.request(request, timeoutMillis);
             if (answer == null && !isCommand(request.text())) {
-                throw new PortTimeoutException(
-                        port(),
-                        "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
-                                + " ms; " + doubt(transport.doubt()));
+                throw silence(noAnswerTo(request.text()), timeoutMillis, transport.doubt());
             }
             return answer;
         });
@@ -371,7 +375,7 @@ public final class Link implements AutoCloseable {
 
     /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority. The command waits at most five seconds for the line. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
-        sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
+        sendAndAwait(Frame.ofCommand(command), options, CommandLoop.STUCK_MILLIS);
     }
 
     private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
@@ -388,17 +392,23 @@ public final class Link implements AutoCloseable {
      * @throws PortTimeoutException if none came
      */
     public Reply listen(int timeoutMillis) throws PortException {
+        return listen(timeoutMillis, "sent no message", "does the board send percepts unasked?");
+    }
+
+    private Reply listen(int timeoutMillis, String missed, String usualDoubt) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
             Reply message = channel.listen(timeoutMillis);
             if (message == null) {
-                throw new PortTimeoutException(
-                        port(),
-                        "port " + port() + " sent no message within " + timeoutMillis + " ms; "
-                                + doubt("does the board send percepts unasked?"));
+                throw silence(missed, timeoutMillis, usualDoubt);
             }
             return message;
         });
+    }
+
+    private PortTimeoutException silence(String missed, int timeoutMillis, String usualDoubt) {
+        return new PortTimeoutException(
+                port(), "port " + port() + " " + missed + " within " + timeoutMillis + " ms; " + doubt(usualDoubt));
     }
 
     /**

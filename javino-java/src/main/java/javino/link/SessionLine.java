@@ -116,8 +116,8 @@ final class SessionLine {
     }
 
     private static int limitMillis(long left) {
-        return (int) Math.max(
-                LEAST_WRITE_MILLIS, Math.min(FrameWriter.PATIENCE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
+        return (int)
+                Math.max(LEAST_WRITE_MILLIS, Math.min(CommandLoop.STUCK_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
     }
 
     /** Reads or waits until a frame is due, and returns it; null: the wait is over, or a report is to be passed on. */
@@ -207,7 +207,7 @@ final class SessionLine {
                 if (next.command() == null) {
                     writeOfSession(next.frame(), millis);
                 } else {
-                    writeCommand(next, millis > 0 ? FrameWriter.PATIENCE_MILLIS : 0);
+                    writeCommand(next, millis > 0 ? CommandLoop.STUCK_MILLIS : 0);
                 }
             }
         } finally {

@@ -34,8 +34,8 @@ public record StrayBytes(long count, String first, int baud) {
         if (!isText()) {
             return "which is no text: does the board run at another rate than " + baud + " baud?";
         }
-        if (first.contains(HEADER)) {
-            return "which is a part of a message: are bytes lost, or is the time for an answer too short?";
+        if (first.contains(HEADER) || first.matches("f+")) {
+            return "the beginning of a message whose rest did not come: are bytes lost, or is the time for an answer too short?";
         }
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }

@@ -176,7 +176,7 @@ public final class BoardLoop {
         if (answer != null) {
             byte[] bytes = Frame.of(answer).toBytes();
             put(bytes);
-            program.answered(frame.length(), bytes.length);
+            program.answered(frame.length(), bytes.length, endNanos(bytes));
             pauseFor(bytes);
         }
     }
@@ -279,7 +279,7 @@ public final class BoardLoop {
         if (isAnswering && isPercepts(frame.kind())) {
             answerBytes += bytes.length;
             if (frame.kind() != FrameKind.PERCEPTS_PART) {
-                program.answered(requestBytes, answerBytes);
+                program.answered(requestBytes, answerBytes, endNanos(bytes));
             }
         }
         pauseFor(bytes);
@@ -313,6 +313,10 @@ public final class BoardLoop {
 
     private void pauseFor(byte... bytes) throws InterruptedException {
         pause(bytes.length * line.line().byteNanos());
+    }
+
+    private long endNanos(byte... bytes) {
+        return clock.nanos() + bytes.length * line.line().byteNanos();
     }
 
     /** Writes bytes, and returns when the line has taken them. */

@@ -52,6 +52,12 @@ public interface BoardProgram {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** Called when the line has taken the answer to a request, with the length of request and answer in bytes. */
-    default void answered(int requestBytes, int answerBytes) {}
+    /**
+     * Called when the line has taken the answer to a request.
+     *
+     * @param requestBytes the length of the request in bytes
+     * @param answerBytes the length of the answer in bytes, in version 2 of all its parts
+     * @param endNanos the time by the line's clock at which the last byte of the answer leaves the line
+     */
+    default void answered(int requestBytes, int answerBytes, long endNanos) {}
 }

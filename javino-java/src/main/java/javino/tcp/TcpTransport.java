@@ -9,7 +9,7 @@ import javino.DriverTransport;
 import javino.LineSettings;
 import javino.PortGoneException;
 
-/** A TCP connection to a board on the network, or to a serial server with a board behind it. */
+/** A TCP connection to a board on the network, or to a serial server with a board behind it. {@link TcpConnector} sets its keepalive. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
     /** The longest time that one read of the socket waits; no interrupt ends a read. */

@@ -30,8 +30,21 @@ class StrayBytesSpec : FunSpec({
             "\"\\xF8\\x00\\xE6\\x80x\", which is no text: does the board run at another rate than 9600 baud?"
     }
 
-    test("a message that does not end is told from text") {
-        failure("fffe20dist(f,30);") shouldContain "which is a part of a message: are bytes lost, or is the time for an answer too short?"
+    test("a message that does not end is told from text, however much of it came") {
+        for (begun in listOf("f", "fff", "fffe", "fffe20dist(f,30);")) {
+            failure(begun) shouldContain
+                "\"$begun\", the beginning of a message whose rest did not come: are bytes lost, or is the time for an answer too short?"
+        }
+    }
+
+    test("a board of version 2 that takes a request for a command, and sends no message behind it, is asked whether its sketch answers") {
+        FakeBoard.plugIn("stray").lenient().version2().use { board ->
+            board.whenAsked("ping")
+            Link.open(board.port(), settings.withProtocol(Protocol.V2), "the test").use { link ->
+                shouldThrow<PortTimeoutException> { link.request("ping", 50) }.message shouldBe "port ${board.port()} gave no answer to " +
+                    "\"ping\" within 50 ms; the board has taken it as a command: does the sketch send a message behind it?"
+            }
+        }
     }
 
     test("a board that sends nothing at all is asked about its sketch, with the calls that are forgotten most") {

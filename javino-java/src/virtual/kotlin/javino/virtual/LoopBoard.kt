@@ -102,7 +102,7 @@ internal class LoopBoard(
         spent = 0
     }
 
-    /** The nonce of the session to which new bytes belong when the frames before them have been handled. */
+    /** The nonce for new bytes: that of the last HELLO that waits to be handled, else that of the session. */
     private fun nonce() = arrived.lastOrNull { it.kind() == FrameKind.HELLO }?.number() ?: session.nonce()
 
     private fun send(frame: WireFrame, nonce: Int) {

@@ -64,7 +64,7 @@ class JarToolsSpec : FunSpec({
         JarProgram.start(folder, "-jar", jar, "replay", "$recording").use { replay ->
             val port = replay.awaitLine("/").trim()
             JarProgram.run(folder, "-jar", jar, "request", port, "getPercepts").printed shouldContain "dist(f,30);"
-            JarProgram.run(folder, "-jar", jar, "send", port, "ledOn").printed shouldContain "the board has acted"
+            JarProgram.run(folder, "-jar", jar, "send", port, "ledOn").printed shouldContain "the board has taken the command"
             replay.awaitLine("command: ledOn")
             withClue(replay.interrupt().printed) { File(port).exists() shouldBe false }
         }

@@ -68,7 +68,7 @@ class BoardsPageSpec : FunSpec({
             val classes = compile()
             // the wall comes nearer with each request, and a busy computer repeats one
             tool(classes, "request", "sim:wall", "getPercepts").printed.trim() shouldMatch """dist\(front,(90|8\d)\);"""
-            tool(classes, "send", "sim:wall", "back").printed shouldContain "the board has acted"
+            tool(classes, "send", "sim:wall", "back").printed shouldContain "the board has taken the command"
             val refused = tool(classes, "send", "sim:wall", "fly")
             withClue(refused.printed) { refused.status shouldBe 1 }
         }

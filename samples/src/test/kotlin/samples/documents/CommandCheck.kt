@@ -21,6 +21,7 @@ class CommandCheck(private val root: Path) {
 
     /** Describes the fault of [words]; null: there is none. */
     fun problem(words: List<String>): String? {
+        if (words.first().startsWith("JDK_JAVA_OPTIONS=")) return problem(words.drop(1))
         val rest = words.drop(1).filterNot { it in PLACEHOLDERS }
         return when (words.first()) {
             "./argo" -> argo(rest)
@@ -67,11 +68,12 @@ class CommandCheck(private val root: Path) {
     }
 
     /** Its program is in a module that needs this one. */
-    private fun experiment(options: List<String>): String? =
-        unheardOf(
-            root.resolve("experiment/src/main/kotlin/experiment/ExperimentCommand.kt"),
-            options.filter { it.startsWith("--") }.map { "\"${it.substringBefore('=')}\"" },
-        )
+    private fun experiment(options: List<String>): String? {
+        val sources = root.resolve("experiment/src/main/kotlin/experiment")
+        val own = sources.resolve("ExperimentCommand.kt").readText()
+        val others = options.filter { it.startsWith("--") }.map { "\"${it.substringBefore('=')}\"" }.filterNot { it in own }
+        return unheardOf(sources.resolve("RunsCommand.kt"), others)
+    }
 
     private fun tool(words: List<String>): String? = when (words.firstOrNull()) {
         "demo" -> sample(words)
@@ -91,7 +93,7 @@ class CommandCheck(private val root: Path) {
         val options = words.takeWhile { it.startsWith("--") || it.startsWith("-Xmx") }
         val rest = words.drop(options.size)
         return when {
-            options.any { !Regex("--enable-native-access=ALL-UNNAMED|-Xmx\\d+m").matches(it) } -> "an option that Java has not: $options"
+            options.any { !JAVA_OPTIONS.matches(it) } -> "an option that Java has not: $options"
             rest.isEmpty() -> null
             rest[0] == "-jar" -> when (Path.of(rest[1]).name) {
                 "argo.jar" -> tool(rest.drop(2))
@@ -136,9 +138,10 @@ class CommandCheck(private val root: Path) {
             word.startsWith("-P") -> word.removePrefix("-P").substringBefore('=').let { property ->
                 missing(property.takeIf { "<$it>" in root.resolve("pom.xml").readText() }, "a property of $word")
             }
-            word.startsWith("-D") -> word.removePrefix("-D").substringBefore('=').let { property ->
-                val read = "System.getProperty('$property'"
-                missing(read.takeIf { it in root.resolve(NEW_PROJECT).resolve("build.gradle").readText() }, "a property of $word")
+            word.startsWith("-D") -> {
+                val areOfAgents = "System.properties.findAll { it.key.startsWith('argo_') }"
+                val isKnown = word.startsWith("-Dargo_") && areOfAgents in root.resolve(NEW_PROJECT).resolve("build.gradle").readText()
+                missing(word.takeIf { isKnown }, "a property of $word")
             }
             word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
             !build.exists() -> "there is no project for $word"
@@ -162,6 +165,8 @@ class CommandCheck(private val root: Path) {
     private companion object {
         /** The sources of a project that `./argo new` makes. */
         const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
+
+        val JAVA_OPTIONS = Regex("--enable-native-access=ALL-UNNAMED|--sun-misc-unsafe-memory-access=allow|-Xmx\\d+m")
 
         /** Goals and phases of every Maven. */
         val GOALS = setOf("clean", "compile", "test", "package", "verify", "install", "dependency:copy-dependencies")

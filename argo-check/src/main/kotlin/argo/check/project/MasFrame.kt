@@ -50,7 +50,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     /** Takes options, a number, a class or a host of an agent. */
     private fun part() = when (current.text) {
-        "[" -> skipBracket("[", "]")
+        "[" -> skipBracket()
         "#" -> {
             at++
             take("a number") { it.kind == TokenKind.NUMBER }
@@ -59,7 +59,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
             at++
             take("a name") { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE || it.kind == TokenKind.STRING }
             skipTo { current.span.start > tokens[at - 1].span.end || current.text in BEHIND_NAME }
-            if (current.isSymbol("(")) skipBracket("(", ")") else Unit
+            if (current.isSymbol("(")) skipBracket() else Unit
         }
         else -> take(";")
     }
@@ -67,14 +67,14 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun isAtSection() = current.isSymbol("}") ||
         (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
 
-    /** Goes behind the bracket that closes the [open] here. Arguments of a class may be classes with arguments. */
-    private fun skipBracket(open: String, close: String) {
+    /** Moves on behind the bracket that closes the one here. Arguments of a class may be classes with arguments. */
+    private fun skipBracket() {
         var depth = 0
         skipTo {
-            if (current.isSymbol(open)) depth++
-            current.isSymbol(close) && --depth == 0
+            if (current.isOpening) depth++
+            current.isClosing && --depth == 0
         }
-        take(close)
+        take("a closing bracket") { it.isClosing }
     }
 
     private fun skipTo(isThere: () -> Boolean) {

@@ -19,7 +19,7 @@ internal object ActionRules : Rule {
     }
 
     private fun action(action: Mention, names: Names, goals: Set<String>, scene: Scene, report: Report) {
-        if (action.functor in scene.project.foreignNames || action.functor in OF_ARTIFACTS || scene.isSentByOthers(action)) return
+        if (action.functor in scene.project.foreignNames || action.functor in KNOWN || scene.isSentByOthers(action)) return
         val meant = names.near(action.functor)
         val internal = "." + action.functor
         val what = "no action of the environment is called ${action.functor}"
@@ -34,6 +34,9 @@ internal object ActionRules : Rule {
         }
     }
 
+    /** Operations of CArtAgO's tuple spaces. They are so short that many a name is nearly one of them by chance. */
+    private val OF_TUPLE_SPACES = setOf("in", "inp", "out", "rd", "rdp")
+
     /** Operations of each workspace of CArtAgO and each organisation of Moise. */
     private val OF_ARTIFACTS = setOf(
         "makeArtifact", "lookupArtifact", "disposeArtifact", "focus", "stopFocus", "focusWhenAvailable", "joinWorkspace", "quitWorkspace",
@@ -42,6 +45,8 @@ internal object ActionRules : Rule {
         "goalAchieved",
         "setArgumentValue", "resetGoal", "goalFailed",
     )
+
+    private val KNOWN = OF_ARTIFACTS + OF_TUPLE_SPACES
 
     /** Internal actions whose names environments give to their own actions too. */
     private val KEPT = setOf("print", "println", "send", "wait", "date", "time", "random", "count", "suspend", "resume", "perceive", "at",

@@ -3,6 +3,7 @@ package argo.check.rules
 import argo.check.findings.Level
 import argo.check.syntax.Belief
 import argo.check.syntax.Literal
+import argo.check.syntax.NumberTerm
 
 /** Finds neighbouring arguments whose order is the reverse elsewhere in the project, in the same literal or of the same variables. */
 internal object ArgumentOrderRules : Rule {
@@ -98,14 +99,16 @@ internal object ArgumentOrderRules : Rule {
 
     /**
      * Returns how strongly the other literals suggest that [argument] of the column [here] belongs in the column [there], in which
-     * [neighbour] stands. Negative: [argument] is in its place.
+     * [neighbour] stands. Negative: [argument] is in its place. The same number in another column suggests nothing if this column has
+     * numbers too, such as in `sum(1,2)` and `sum(2,N)`.
      */
     private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
         val sign = argument.sign ?: return 0
         val same = there.signsLike(sign, neighbour)
         return when {
             here.signsLike(sign, argument) * (if (argument.isShort) MAX else MANY) > same -> AGAINST
-            same == 0 -> strengthOfKind(argument, here, there, neighbour)
+            same == 0 || argument.term is NumberTerm && here.kindsLike(argument.kind.orEmpty(), argument) > 0 ->
+                strengthOfKind(argument, here, there, neighbour)
             argument.isShort -> ALIKE + maxOf(0, strengthOfKind(argument, here, there, neighbour))
             else -> SAME
         }

@@ -11,7 +11,8 @@ internal class Names(names: Collection<String>) {
 
     /**
      * Returns the name that [written] probably means with a slip: one letter is missing, added or different, or two neighbours are swapped.
-     * A long name may have two slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`.
+     * A long name may have two slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`. Slips in a first letter are rare, and words that
+     * differ there are often two, such as `winner` and `inner`. So there only a swap with the second letter is a slip.
      */
     fun near(written: String): String? {
         val name = Name(written)
@@ -53,8 +54,14 @@ internal class Names(names: Collection<String>) {
 
 private fun isNear(a: String, b: String): Boolean {
     val shorter = minOf(a.length, b.length)
-    if (shorter < MIN_LENGTH) return false
+    if (shorter < MIN_LENGTH || !beginAlike(a, b)) return false
     return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
+}
+
+/** Returns true if the first letters are equal, or swapped with the second ones. A dot in front, as of an internal action, is no letter. */
+private fun beginAlike(a: String, b: String): Boolean {
+    val (one, other) = a.trimStart('.') to b.trimStart('.')
+    return one.firstOrNull() == other.firstOrNull() || one.take(2) == other.take(2).reversed()
 }
 
 /** Returns true if the names differ only in a part of one letter, like `OldX` and `OldY`, so they name two things of one kind. */

@@ -4,6 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldNotBeEmpty
 
 class ArgumentsSpec : FunSpec({
     val root = tempdir().toPath()
@@ -79,6 +80,14 @@ class ArgumentsSpec : FunSpec({
             "1:18 argument-order: arguments 1 and 2 of goal/2 stand the other way round elsewhere in the project; correct their order",
             "1:34 argument-order: arguments 1 and 2 of goal/2 stand the other way round elsewhere in the project; correct their order",
         )
+    }
+
+    test("a number that other calls have in the other place tells nothing, where each place has numbers") {
+        found(
+            "{ register_function(\"my.sum\",2,\"sum\") }\nsum(X,Y,X+Y).\n!m.\n" +
+                "+!m <- .print(my.sum(1,2)); .print(my.sum(5,my.sum(2,my.limit))).", "argument-order",
+        ).shouldBeEmpty()
+        found("at(1,home). at(2,desk). !m. +!m : at(home,2) <- .print(x).", "argument-order").shouldNotBeEmpty()
     }
 
     test("only a relation of two, in its own rule, may be said to go both ways") {

@@ -33,6 +33,13 @@ class NamesSpec : FunSpec({
         Names(listOf("distanceleft")).near("ditanceleftt") shouldBe "distanceleft"
     }
 
+    test("another first letter, and one more or less there, make another word, but a swap with the second is a slip") {
+        val names = Names(listOf("inner", "size", "kick", "dist"))
+        listOf("winner", "gsize", "pick").map(names::near) shouldBe listOf(null, null, null)
+        names.near("idst") shouldBe "dist"
+        Names(listOf(".count")).near("count") shouldBe ".count"
+    }
+
     test("a digit, and a part of one letter, tell things apart that are meant to be two") {
         Names(listOf("pos1", "OldX")).run { near("pos2") ?: near("OldY") } shouldBe null
     }

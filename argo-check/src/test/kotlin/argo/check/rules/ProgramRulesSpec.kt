@@ -68,6 +68,7 @@ class ProgramRulesSpec : FunSpec({
             "!a. +!a <- .wait({+dista(X)}); .print(X).\n+dist(X) <- .print(X).",
             "!a. +!a <- .print(math.sqrt(.length([1]))).",
             "!a. +!a <- my.actino(1).",
+            "!a. +!a <- in(ticket); inc; inc.",
         ).forEach { text -> test("in $text") { found(text).shouldBeEmpty() } }
     }
 

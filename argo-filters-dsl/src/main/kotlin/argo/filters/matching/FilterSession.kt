@@ -87,7 +87,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         )
     }
 
-    /** Explains the fate of [percept], whose text is [standing], and which stands for a percept with the text [received]. */
+    /** Explains what becomes of [percept] with the text [standing], which the agent gets in place of a percept with the text [received]. */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
         val latches = latches?.ofNext()
         val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()

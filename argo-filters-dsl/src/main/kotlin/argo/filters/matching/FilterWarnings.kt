@@ -33,7 +33,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on smoothing [rules]. The first rule that a percept meets smooths that percept. */
+/** Returns the warnings on smoothing [rules]. A percept is smoothed by the first rule that it meets. */
 private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = rules.take(number).find { it.covers(rule) }

@@ -5,15 +5,17 @@ import argo.filters.Syntax
 import com.google.re2j.Pattern
 
 /**
- * Explains why an agent leaves out a percept with this text, and how to correct it; null if the text is a literal without variables. Never
- * throws. A percept with a sum, such as `at(2+1)`, counts as unreadable here, but an agent believes it.
+ * Explains why an agent leaves out a percept with this text, and how to correct it; null if the text is a literal without variables, with
+ * finite numbers. Never throws. A percept with a sum, such as `at(2+1)`, counts as unreadable here, but an agent believes it.
  */
 fun whyUnreadable(percept: String): String? {
     val text = percept.trim()
     val word = text.take(Syntax.wordEnd(text, 0, text.length))
     val foreign = FOREIGN.find(withoutQuoted(text))?.value
+    val value = GroundTerm.ofOrNull(text)
     return when {
-        GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
+        text in Syntax.TRUTH_VALUES -> reserved(text)
+        value is GroundTerm.Structure -> if (isFinite(value)) null else INFINITE
         text.isEmpty() -> "it is empty"
         text[0] in 'A'..'Z' -> "its name begins in upper case, so it is a variable; write ${readableName(text)}"
         text[0] == '_' -> "its name begins with _, so it is a variable; write ${readableName(text)}"
@@ -23,11 +25,23 @@ fun whyUnreadable(percept: String): String? {
             "$foreign is no letter of a word, which a to z are; put the word in quotes"
         VARIABLE.containsMatchIn(withoutQuoted(text)) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
-        Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
+        Syntax.isReserved(word, 0, word.length) -> reserved(word)
         WRONG_ESCAPE.containsMatchIn(text.replace("\\\\", "")) ->
             "a backslash in it begins no escape that Jason knows; write \\u005C for a backslash"
         else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
     }
+}
+
+private fun reserved(word: String) = "$word is a word of AgentSpeak, which cannot be a percept's name"
+
+/** Explains why an agent leaves out a percept with a number that is infinite, or none. */
+const val INFINITE: String = "it holds a number that is infinite or none; the largest that an agent knows is 1.7976931348623157e308"
+
+private fun isFinite(term: GroundTerm): Boolean = when (term) {
+    is GroundTerm.Number -> term.value.isFinite()
+    is GroundTerm.Sequence -> term.items.all(::isFinite)
+    is GroundTerm.Structure -> term.arguments.all(::isFinite) && term.annotations.all(::isFinite)
+    is GroundTerm.Text -> true
 }
 
 /** Returns true if [percept] contains an AgentSpeak comment outside of quotes. */

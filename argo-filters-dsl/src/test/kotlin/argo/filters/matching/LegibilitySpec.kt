@@ -6,7 +6,8 @@ import io.kotest.matchers.string.shouldContain
 
 class LegibilitySpec : FunSpec({
     listOf(
-        "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "t(-3.5)[level(2)]", "p('Front Left')", "'Öl'(\"grün\")",
+        "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "wall(true)", "t(-3.5)[level(2)]", "p('Front Left')",
+        "'Öl'(\"grün\")",
     ).forEach {
         test("$it can be read") { whyUnreadable(it) shouldBe null }
     }
@@ -24,6 +25,8 @@ class LegibilitySpec : FunSpec({
         "dist(Front,3)" to "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes",
         "say(\"a\nb\")" to "there is a line break in quotes; write \\n",
         "for(1)" to "for is a word of AgentSpeak, which cannot be a percept's name",
+        "true" to "true is a word of AgentSpeak, which cannot be a percept's name",
+        "n([1,q(1e999)])" to "it holds a number that is infinite or none",
         "30" to "it is no literal",
         "front left" to "it is no literal",
         "" to "it is empty",

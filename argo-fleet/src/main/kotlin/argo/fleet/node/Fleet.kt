@@ -206,7 +206,7 @@ internal class Fleet(
 /** The reason why a stage failed, without the wrapper that stages may add. */
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
-/** Returns the failure of a message to [agent], since no computer in touch runs [agent]. */
+/** Returns the failure of a message to [agent], which no computer in touch runs. */
 internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unreachable {
     val off = place.computers - now.inTouch
     val unmet = place.computers.filter { it in now.inTouch && !now.isMet(it) }

@@ -80,7 +80,7 @@ internal class ProjectFileLanguage(
             "argo_percepts" to "the most percepts of a board that are believed at once; 4096 by default",
             "argo_view" to "the port of the live view, on this computer; `0`: any free one",
             "argo_watch" to "`true`: the agent is reloaded whenever a file of its program or its filters is saved",
-            "argo_safe" to "the command that makes the agent's boards safe before it stands: `stop`, `\"speed(0)\"`",
+            "argo_safe" to "the command that makes the agent's boards safe before it is paused: `stop`, `\"speed(0)\"`",
             "argo_debug" to "the port at which debuggers reach the agent, on this computer; `0`: any free one",
             "argo_record" to "the file of a recording, `\"drive.mcap\"`, or `\"last(5)\"`: the last five minutes, for `argo.record`",
             "argo_resume" to "the file with the state from which the agent goes on when it begins again, `\"robot.state\"`",

@@ -61,12 +61,12 @@ class Replay(
     val nextNs: Long? get() = upcoming?.value?.ns
 
     /**
-     * Returns the pauses of [agent] in this replay. While the agent stands, [run] does not return, so another thread lets it go on. A pause
-     * changes nothing of the agent's course.
+     * Returns the pauses of [agent] in this replay. While the agent is paused, [run] does not return, so another thread lets it go on. A
+     * pause changes nothing of the agent's course.
      */
     fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing
 
-    /** Has the agent of the next cycle stand before that cycle, see [pausing]. Returns its name; null: no cycle is left. */
+    /** Pauses the agent of the next cycle before that cycle, see [pausing]. Returns its name; null: no cycle is left. */
     fun pause(): String? = upcoming?.key?.also { pausing(it).pause() }
 
     /** Runs all cycles that began before [untilNs], and returns itself. */

@@ -228,7 +228,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     override fun isHeld(live: () -> Boolean): Boolean {
-        live() // a debugger may make the replay stand here
+        live() // a debugger may pause the replay here
         return cycle.input.isHeld && Insides.isBeforeIntention(ts)
     }
 

@@ -52,14 +52,14 @@ class WhatIf internal constructor(
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)
-    private val before = ArrayList<SentCommand>()
+    private val before = ArrayList<TimedCommand>()
     private var number = 0
 
     /** The recorded commands up to the agent's present cycle. */
-    val commands: List<SentCommand> get() = before
+    val commands: List<TimedCommand> get() = before
 
     /** The commands that the agent has sent in this run. */
-    val commandsNow: List<SentCommand> get() = answers.sent
+    val commandsNow: List<TimedCommand> get() = answers.sent
 
     /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock, from which times count; null: there is none. */
     var firstNs: Long? = null
@@ -127,8 +127,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs additional cycles until [ns] while the recorded agent slept. In these cycles the agent does its work and takes the ends that are
-     * due.
+     * Runs cycles up to [ns] that the recording does not have. In these cycles the agent does its work and takes the ends that are due.
      */
     private fun runBetween(ns: Long) {
         while (true) {

@@ -42,9 +42,9 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     private lateinit var inputs: ReplayedInputs
     private lateinit var cycle: Cycle
 
-    val sent = ArrayList<SentCommand>()
+    val sent = ArrayList<TimedCommand>()
 
-    val acted = ArrayList<SentCommand>()
+    val acted = ArrayList<TimedCommand>()
 
     override var isAsRecorded = true
         private set
@@ -125,7 +125,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         }
     }
 
-    private fun command(port: String?, text: String) = SentCommand(inputs.ts.agArch.cycleNumber, cycle.ns, port, text, place())
+    private fun command(port: String?, text: String) = TimedCommand(inputs.ts.agArch.cycleNumber, cycle.ns, port, text, place())
 
     private fun portIn(call: InternalCall) = (call.args.getOrNull(1) as? ListTerm)?.filterIsInstance<Literal>()
         ?.find { it.functor == "port" && it.arity == 1 }?.getTerm(0)?.let { if (it is StringTerm) it.string else "$it" }

@@ -2,8 +2,10 @@ package argo.recording.storage
 
 import argo.mcap.McapWriter
 import java.io.IOException
+import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
 import java.nio.channels.SeekableByteChannel
+import java.nio.channels.WritableByteChannel
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -15,8 +17,8 @@ import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * A recording that its own thread writes to a file. On a disk that is fast enough, a record is in the file a second after it was offered,
- * even if the program is killed.
+ * A recording that its own thread writes to a file. If the disk and the processors are fast enough, a record is in the file a second after
+ * it was offered, even if the program is killed.
  *
  * If nothing more can be written, as on a full disk, [warn] is called once. The file then ends behind its last whole chunk, and all later
  * records are refused.
@@ -37,7 +39,7 @@ class RecordingFile internal constructor(
     private fun write() {
         var writer: McapWriter? = null
         try {
-            writer = McapWriter(channel)
+            writer = McapWriter(Disk())
             writeAll(writer)
             writer.close()
         } catch (failure: Throwable) { // report every failure
@@ -67,7 +69,11 @@ class RecordingFile internal constructor(
     private fun store(writer: McapWriter) {
         if (writer.pendingBytes == 0) return
         writer.flush()
-        (channel as? FileChannel)?.force(false)
+        (channel as? FileChannel)?.let { waiting.atDisk { it.force(false) } }
+    }
+
+    private inner class Disk : WritableByteChannel by channel {
+        override fun write(source: ByteBuffer): Int = waiting.atDisk { channel.write(source) }
     }
 
     private fun endWith(failure: Throwable, wholeBytes: Long) {

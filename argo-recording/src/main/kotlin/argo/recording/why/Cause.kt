@@ -15,6 +15,9 @@ sealed interface Cause {
     val depth: Int get() = 1
 }
 
+/** The longest chain of causes behind a condition. */
+internal const val MAX_CAUSES_OF_CONDITION = 8
+
 /**
  * A message of a board, with its percepts.
  *

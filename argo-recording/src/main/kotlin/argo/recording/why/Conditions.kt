@@ -124,6 +124,6 @@ internal class Conditions(
     private companion object {
         const val MAX_WAYS = 100
         const val MAX_SHOWN = 3
-        const val MAX_RULES = 8
+        const val MAX_RULES = 8 // belief rules applied within each other
     }
 }

@@ -60,7 +60,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
 
     /**
      * Returns the command of [all] that the question is about.
-     * @throws RecordingException if there is none; the message names the commands around the time
+     * @throws RecordingException if there is none, with commands that there are; or if several agents have the command
      */
     fun find(all: List<RecordedCommand>): RecordedCommand {
         val fitting = all.filter { isAbout(it.text) }

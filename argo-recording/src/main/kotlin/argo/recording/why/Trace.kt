@@ -209,7 +209,7 @@ internal class Trace(
         val place = placeOf(option.plan)
         val again = (above as? StepCause)?.plan?.takeIf { it.place == place && (intention == null || isTail(intention, option.plan)) }
         val cause = PlanCause(
-            place, shown(event), clock.seconds(cycle.ns), cycle.number, context.map { it.within(MAX_ASIDE) },
+            place, shown(event), clock.seconds(cycle.ns), cycle.number, context.map { it.within(MAX_CAUSES_OF_CONDITION) },
             (again?.event ?: above).within(MAX_DEPTH), again?.let { it.again + 1 } ?: 0,
         )
         chosen = cause
@@ -248,7 +248,7 @@ internal class Trace(
 
     private fun stepOf(means: IntendedMeans, adopted: Adopted): StepCause? {
         val body = means.currentStep ?: return null
-        val tests = adopted.tests.values.map { it.within(MAX_ASIDE) }
+        val tests = adopted.tests.values.map { it.within(MAX_CAUSES_OF_CONDITION) }
         return StepCause(textOf(body), body.srcInfo?.srcLine, clock.seconds(cycle.ns), adopted.plan, tests)
     }
 
@@ -324,9 +324,6 @@ internal class Trace(
 
         /** The longest chain of causes from a step to the root of its intention. */
         private const val MAX_DEPTH = 60
-
-        /** The longest chain of causes behind a condition. */
-        private const val MAX_ASIDE = 8
         private const val FORK = ".fork"
         private val BRANCHES = setOf(".if_then_else", ".loop")
         private val NOTING = setOf(

@@ -30,7 +30,7 @@ internal class RobotTime(
 
     @Volatile
     private var dueNanos: Long? = null // time of the next question; null: an answer is pending
-    private var toldNanos: Long? = null // only the bridge's thread uses toldNanos and answers
+    private var toldNanos: Long? = null // used by the bridge's thread only, as the next one
     private var answers = 0
 
     fun ask() {

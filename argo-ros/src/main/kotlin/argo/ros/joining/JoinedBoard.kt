@@ -109,7 +109,7 @@ internal class JoinedBoard(
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the sensing thread notices that the board has gone
-        } catch (unforeseen: Throwable) { // otherwise the thread that sends commands would end
+        } catch (unforeseen: Throwable) { // otherwise the link would stay open without this thread
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()
         }

@@ -67,20 +67,15 @@ internal class BoardDescription(
 
     companion object {
         private const val ANSWER_MS = 1_000
-        private const val SLICE_MS = 20
-        private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
         /** Asks the board on [link] for its percepts once, and for its description. Throws like [Link.request]. */
         fun of(link: Link): BoardDescription {
             val welcome = Welcome()
             link.onBoardEvents(welcome)
             val answer = link.request(PerceptsRequest.ALL, ANSWER_MS).text()
-            val isDescribing = link.protocol() == Protocol.V2
-            val end = System.nanoTime() + VOCABULARY_NANOS
-            while (isDescribing && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
-            val actions = link.vocabulary().orElse(null)?.map(::written)
+            val actions = actionsOf(link)?.map(::written)
             val described = DescribedKinds.of(link, ANSWER_MS)
-            val rules = welcome.rules.takeIf { isDescribing }
+            val rules = welcome.rules.takeIf { link.protocol() == Protocol.V2 }
             return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), described, rules)
         }
     }
@@ -96,6 +91,19 @@ internal class BoardDescription(
         override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) = Unit
     }
 }
+
+/**
+ * Waits until the board on [link] has described its actions, at most three seconds. Returns them; an empty list: its sketch has no table of
+ * actions; null: it speaks version 1, or has not described them in time. Throws like [Link.watch].
+ */
+internal fun actionsOf(link: Link): List<BoardAction>? {
+    val end = System.nanoTime() + VOCABULARY_NANOS
+    while (link.protocol() == Protocol.V2 && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
+    return link.vocabulary().orElse(null)
+}
+
+private const val SLICE_MS = 20
+private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
 /** Writes [action] with its number of arguments. */
 internal fun written(action: BoardAction) = action.name + when (action.arguments) {

@@ -57,6 +57,7 @@ internal class RequestCommand : MessageCommand() {
     name = "send",
     description = [
         "Sends a command. A board of version 2 acknowledges it; one of version 1 does not.",
+        "A board that lists its actions acknowledges only what it has carried out.",
         "Opening a port resets most boards.",
     ],
 )
@@ -84,13 +85,17 @@ internal class SendCommand : MessageCommand() {
         } catch (refused: ActionRefusedException) {
             throw ToolException("${refused.message}; \"ports --describe ${link.port()}\" shows what the board can do")
         }
-        val acted = link.protocol() == Protocol.V2
-        if (!json) return out.println(if (acted) "the board has acted" else UNCONFIRMED)
-        val outcome = if (acted) true else null
-        out.println(jsonOf("port" to link.port(), "sent" to message, "acted" to outcome, "protocol" to versionSpoken(link.protocol())))
+        val taken = true.takeIf { link.protocol() == Protocol.V2 }
+        val acted = taken.takeUnless { actionsOf(link).isNullOrEmpty() }
+        if (!json) return out.println(if (acted != null) "the board has acted" else if (taken != null) TAKEN else UNCONFIRMED)
+        val protocol = versionSpoken(link.protocol())
+        out.println(jsonOf("port" to link.port(), "sent" to message, "taken" to taken, "acted" to acted, "protocol" to protocol))
     }
 
     private companion object {
+        /** A sketch that takes messages one by one takes each, also one that it does not know. */
+        const val TAKEN = "the board has taken the command; it lists no actions, so nobody knows whether it acted or has ignored it"
+
         /** The sender cannot distinguish a silent port from a board of version 1. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"

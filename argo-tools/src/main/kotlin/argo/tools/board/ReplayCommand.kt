@@ -68,11 +68,12 @@ internal class ReplayCommand : JasonCommand() {
     private fun replayAgents(options: AgentReplayOptions): Int {
         if (options.within != null && !options.isWhatIf) misuse("--within is for --agent and --filter")
         options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
+        tellUnusedOptions()
         if (!runsHere) return runElsewhere("$file")
         if (options.isWhatIf) return runOthers(options)
-        val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck, options.debugPort).run { agent, changed ->
+        val report = AgentReplay(file, options).run { agent, changed ->
             changed.forEach { err.println("$it has changed since; breakpoints and places are those of the recorded program") }
-            err.println("agent $agent stands before its first cycle; attach a debugger, set breakpoints, and have it continue")
+            err.println("agent $agent is paused before its first cycle; attach a debugger, set breakpoints, and have it continue")
         }
         if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }

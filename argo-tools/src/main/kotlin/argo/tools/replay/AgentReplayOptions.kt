@@ -55,7 +55,7 @@ internal class AgentReplayOptions {
         names = ["--debug"],
         paramLabel = "PORT",
         description = [
-            "stands before the first cycle, lets debuggers of editors reach the agents at this port, and stands at their breakpoints; 0: any port",
+            "pauses before the first cycle and at breakpoints, lets debuggers of editors reach the agents at this port; 0: any port",
         ],
     )
     var debugPort: Int? = null

@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.recording.replay.CommandDifference
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
-import argo.recording.replay.SentCommand
+import argo.recording.replay.TimedCommand
 import argo.recording.replay.WhatIf
 import argo.tools.command.ToolException
 import argo.tools.command.counted
@@ -96,7 +96,7 @@ internal class WhatIfResult(
         }
     }
 
-    private fun described(command: SentCommand?) = command?.run {
+    private fun described(command: TimedCommand?) = command?.run {
         val to = port?.let { " to $it" }.orEmpty()
         val by = place?.let { ", $it" }.orEmpty()
         "$text$to at ${"%.3f".format(seconds(ns))} s, cycle $cycle$by"
@@ -112,7 +112,7 @@ internal class WhatIfResult(
         },
     )
 
-    private fun jsonOf(it: SentCommand) =
+    private fun jsonOf(it: TimedCommand) =
         jsonOf("text" to it.text, "port" to it.port, "seconds" to seconds(it.ns), "cycle" to it.cycle, "place" to it.place)
 
     private fun seconds(ns: Long) = secondsIn(ns - firstNs)

@@ -27,6 +27,14 @@ internal abstract class JasonCommand : DataCommand() {
         return runJava(program + givenWithout(CLASS_PATH) + "--" + operands)
     }
 
+    /** Tells the user that agents in a recording have the recorded options, and not those among this program's properties. */
+    protected fun tellUnusedOptions() {
+        val unused = System.getProperties().stringPropertyNames().filter { it.startsWith("argo_") }.sorted()
+        if (unused.isEmpty()) return
+        val have = if (unused.size == 1) "has" else "have"
+        err.println("${unused.joinToString { "-D$it" }} $have no effect: the agents have recorded options")
+    }
+
     private companion object {
         const val CLASS_PATH = "--class-path"
     }

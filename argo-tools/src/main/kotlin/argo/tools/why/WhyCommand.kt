@@ -52,6 +52,7 @@ internal class WhyCommand : JasonCommand() {
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
         if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
         files.forEach(::requireRecording)
+        tellUnusedOptions()
         if (!runsHere) return runElsewhere(*operands.toTypedArray())
         return withAll(files, { Recording(it) }) { recordings -> tell(files.map { "$it" }.zip(recordings).toMap(), asked) }
     }

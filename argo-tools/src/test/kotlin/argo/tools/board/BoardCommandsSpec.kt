@@ -74,11 +74,25 @@ class BoardCommandsSpec : FunSpec({
             argo("send", port, "ledOn", "--boot", "0").out shouldContain "does not report whether it acted"
         }
         board { it.version2().whenAsked("fly").refuse().also { _ -> it.whenAsked("ledOn") } }.with { port ->
-            argo("send", port, "ledOn", "--protocol", "2") shouldBe Output(0, "the board has acted\n", "")
+            val taken = "the board has taken the command; it lists no actions, so nobody knows whether it acted or has ignored it\n"
+            argo("send", port, "ledOn", "--protocol", "2") shouldBe Output(0, taken, "")
+            argo("send", port, "ledOn", "--protocol", "2", "--json").out shouldContain "\"taken\":true,\"acted\":null"
             val refused = argo("send", port, "fly", "--protocol", "auto")
             refused.status shouldBe 1
             refused.err shouldContain "refuses \"fly\""
             refused.err shouldContain "; \"ports --describe $port\" shows what the board can do\n"
+        }
+        board { it.version2().knows("ledOn").whenAsked("ledOn") }.with { port ->
+            argo("send", port, "ledOn", "--protocol", "2") shouldBe Output(0, "the board has acted\n", "")
+            argo("send", port, "ledOn", "--protocol", "2", "--json").out shouldContain "\"taken\":true,\"acted\":true"
+        }
+    }
+
+    test("request says of a command that is not answered that the board has taken it") {
+        board { it.version2().whenAsked("ping") }.with { port ->
+            val said = argo("request", port, "ping", "--protocol", "2", "--timeout", "100")
+            said.status shouldBe 1
+            said.err shouldContain "gave no answer to \"ping\" within 100 ms; the board has taken it as a command"
         }
     }
 

@@ -22,7 +22,7 @@ internal class Related(val item: Item, val causes: List<Item>, val effects: List
  *
  * @property agents the names of the agents
  * @property seconds the length of the recording
- * @property items all events; the place of an event is its id
+ * @property items all items; the index of an item in this list is its id
  */
 internal class Timeline(val agents: List<String>, val seconds: Double, val items: List<Item>) {
     private val lanes: Map<Pair<Int, Lane>, List<Item>> =

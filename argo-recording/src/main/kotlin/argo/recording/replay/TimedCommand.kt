@@ -4,21 +4,21 @@ import argo.recording.Cycle
 import java.time.Duration
 
 /**
- * A command that a plan has sent.
+ * A command that a plan has sent, at its time.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property port the port of the command's board; null: not known
  * @property place the file and the line of the step that sent the command; null: not known
  */
-data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
+data class TimedCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
     /** Returns true if [other] is the same command to the same board. */
-    fun isSame(other: SentCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
+    fun isSame(other: TimedCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
 }
 
-internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands }.map { sent ->
+internal fun Cycle.sent(): List<TimedCommand> = input.calls.flatMap { it.commands }.map { sent ->
     val place = course.step?.run { placeOf(plan.file, line) }
-    SentCommand(number, ns, sent.port, sent.text, place)
+    TimedCommand(number, ns, sent.port, sent.text, place)
 }
 
 internal fun placeOf(file: String?, line: Int?): String? = if (file == null || line == null) null else "$file:$line"
@@ -30,7 +30,7 @@ internal fun placeOf(file: String?, line: Int?): String? = if (file == null || l
  * @property now the present command; null: the recorded command is missing
  * @property same the number of equal commands before the difference
  */
-data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, val same: Int) {
+data class CommandDifference(val recorded: TimedCommand?, val now: TimedCommand?, val same: Int) {
     init {
         require(recorded != null || now != null) { "one of both differs" }
     }
@@ -54,9 +54,9 @@ data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, 
          * @param within the largest difference in time between equal commands
          * @param endNs the end of the recording; later commands of the agent are no differences
          */
-        fun first(recorded: List<SentCommand>, now: List<SentCommand>, within: Duration, endNs: Long): CommandDifference? {
+        fun first(recorded: List<TimedCommand>, now: List<TimedCommand>, within: Duration, endNs: Long): CommandDifference? {
             val most = within.toNanos()
-            fun isSame(one: SentCommand?, other: SentCommand?) =
+            fun isSame(one: TimedCommand?, other: TimedCommand?) =
                 one != null && other != null && one.isSame(other) && other.ns - one.ns in -most..most
             for (same in 0 until maxOf(recorded.size, now.size)) {
                 val one = recorded.getOrNull(same)

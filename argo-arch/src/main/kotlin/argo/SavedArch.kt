@@ -1,0 +1,33 @@
+package argo
+
+import argo.boundary.Transparent
+import argo.insides.Insides
+import jason.architecture.AgArch
+import java.util.logging.Logger
+
+/**
+ * Stands for [arch] in an agent that Java's serialization writes, since ports and threads belong to a program. When the agent that was read
+ * from there begins its first cycle, a new architecture of the same class takes its place in front; it has no ports yet.
+ */
+internal class SavedArch(arch: Arch) : AgArch(), Transparent {
+    private val type = arch.javaClass
+    private var isReplaced = false
+
+    init {
+        Insides.nextArch[this] = arch.nextAgArch
+        Insides.firstArch[this] = arch.firstAgArch
+        setTS(arch.ts)
+    }
+
+    override fun reasoningCycleStarting() {
+        if (isReplaced) return super.reasoningCycleStarting()
+        isReplaced = true
+        val arch = type.getConstructor().newInstance()
+        firstAgArch.insertAgArch(arch)
+        arch.init()
+        ts.ag.buf(ArrayList()) // the agent perceives nothing yet
+        val log = Logger.getLogger("${Arch::class.java.name}.$agName")
+        log.info("the agent goes on from its serialized form: it has no ports and no filter")
+        arch.reasoningCycleStarting()
+    }
+}
