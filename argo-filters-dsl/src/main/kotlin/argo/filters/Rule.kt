@@ -69,7 +69,7 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
 data class Deadband(val argument: Int?, val width: Double) {
     init {
         argument?.let(::requireIndex)
-        require(width > 0 && width.isFinite()) { "a deadband of $width holds nothing back; expected a number above 0" }
+        require(width > 0 && width.isFinite()) { "a deadband of $width means nothing; expected a finite number above 0" }
     }
 
     override fun toString(): String =

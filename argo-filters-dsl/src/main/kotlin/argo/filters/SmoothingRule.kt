@@ -35,7 +35,7 @@ data class SmoothingRule(
             "a smoothing rule needs a greatest rate, outliers or a median for its argument"
         }
         require(maxRate == null || maxRate > 0 && maxRate.isFinite()) {
-            "a greatest rate of $maxRate a second lets nothing change; expected a number above 0"
+            "a greatest rate of $maxRate a second means nothing; expected a finite number above 0"
         }
         median?.let { requireWindow(it) }
         require(rule.rate == null) { "a smoothing rule delays no percepts, so it has neither everyMs nor a deadband" }

@@ -199,7 +199,9 @@ internal class FilterReader(private val problems: Problems, private val name: St
         scalar(member, Scalar::isBare, "true or false") { it.trim().toBooleanStrictOrNull() } ?: false
 
     private fun positive(member: Member?, meaning: String): Double? =
-        scalar(member, Scalar::isBare, "a number above 0, $meaning") { written -> number(written)?.takeIf { it > 0 && it.isFinite() } }
+        scalar(member, Scalar::isBare, "a finite number above 0, $meaning") { written ->
+            number(written)?.takeIf { it > 0 && it.isFinite() }
+        }
 
     private fun number(written: String): Double? = (GroundTerm.ofOrNull(written) as? GroundTerm.Number)?.value
 

@@ -7,21 +7,25 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.Predicate
 import argo.filters.Rule
 import argo.filters.SmoothingRule
+import argo.filters.nameProblem
 
 /**
  * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
  * rules and conditions, deadbands and smoothing on missing arguments, smoothing of a single number, and critical rules that are smoothed by
- * no rule. A filter without rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but there may be more
- * parts without effect.
+ * no rule. A filter without rules, or with a name that no agent can ask for, has no effect either. Rules count from 1. Each sentence is true
+ * for all percepts, but there may be more parts without effect.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
     val first = critical.mapIndexed { number, rule -> ReviewedRule("critical rule ${number + 1}", rule.rule, rule) }
     val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule("smoothing rule ${number + 1}", rule.rule, smoothing = rule) }
     val smoothed = smoothing.map { it.rule.predicate }.toSet()
-    return listOfNotNull(emptiness()) + reviewedSmoothing(smooth) + first.mapNotNull { it.unsmoothed(smoothed) } +
+    return listOfNotNull(unaskable(), emptiness()) + reviewedSmoothing(smooth) + first.mapNotNull { it.unsmoothed(smoothed) } +
         reviewed(first, emptyList()) + reviewed(ordinary, first.filter { it.seesWhatRulesSee(smoothed) })
 }
+
+private fun PerceptionFilter.unaskable(): String? =
+    nameProblem(name)?.let { "no agent can ask for a filter of the name '$name': $it" }
 
 private fun PerceptionFilter.emptiness(): String? = when {
     rules.isNotEmpty() || critical.isNotEmpty() || smoothing.isNotEmpty() && mode == Mode.DROP -> null

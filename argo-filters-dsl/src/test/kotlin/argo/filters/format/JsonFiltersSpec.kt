@@ -108,7 +108,7 @@ class JsonFiltersSpec : FreeSpec({
             rule("\"everyMs\": ¦0") to "expected a whole number from 1",
             rule("\"everyMs\": ¦9223372036854775808") to "expected a whole number from 1",
             rule("\"arity\": ¦2147483648") to "expected a whole number from 0",
-            rule("\"deadband\": ¦0") to "expected a number above 0",
+            rule("\"deadband\": ¦0") to "expected a finite number above 0",
             condition("¦").replace("{¦}", "¦{}") to "both or neither",
             condition("\"argument\": 0, \"annotation\": \"q\"").replace("{\"argument\"", "¦{\"argument\"") to "both or neither",
             condition("\"argument\": ¦1.5, \"value\": 1") to "\"argument\" is 1.5; expected a whole number from 0",
@@ -130,7 +130,7 @@ class JsonFiltersSpec : FreeSpec({
             condition("\"annotation\": \"q\", ¦\"until\": 1, \"value\": 1") to "\"until\" on an annotation",
             condition("\"argument\": 0, ¦\"median\": 3, \"value\": 1") to "\"median\" in a condition",
             smooth("\"argument\": 0, \"median\": ¦4") to "\"median\" is 4; expected an odd number of percepts from 3 to 99",
-            smooth("\"argument\": 0, \"median\": 3, \"maxRate\": ¦-1") to "\"maxRate\" is -1; expected a number above 0",
+            smooth("\"argument\": 0, \"median\": 3, \"maxRate\": ¦-1") to "\"maxRate\" is -1; expected a finite number above 0",
             smooth("\"argument\": 0, \"outliers\": 3, \"among\": ¦\"5\"") to "\"among\" is '5'; expected an odd number",
             smooth("\"annotation\": \"q\", ¦\"median\": 3").replace("[{\"a", "[{\"argument\": 1, \"median\": 3}, {\"a") to
                 "\"median\" on an annotation",

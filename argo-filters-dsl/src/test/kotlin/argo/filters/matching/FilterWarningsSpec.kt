@@ -3,6 +3,7 @@ package argo.filters.matching
 import argo.filters.DropRules
 import argo.filters.KeepRules
 import argo.filters.PerceptionFilter
+import argo.filters.Rule
 import argo.filters.dropFilter
 import argo.filters.filters
 import argo.filters.format.JsonFilters
@@ -136,6 +137,11 @@ class FilterWarningsSpec : FunSpec({
     }
 
     WITH_EFFECT.forEach { filter -> test("nothing is said of $filter") { filter.warnings().shouldBeEmpty() } }
+
+    test("a filter whose name no agent can ask for") {
+        PerceptionFilter("none", Rule("d")).warnings() shouldContainExactly
+            listOf("no agent can ask for a filter of the name 'none': argo.change_filter(none) ends the filtering")
+    }
 
     test("a rule or condition that is said to have no effect has none") {
         checkAll(3_000, filters, Arb.list(perceptTexts, 0..12)) { filter, percepts ->
