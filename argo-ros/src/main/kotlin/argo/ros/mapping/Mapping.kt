@@ -30,8 +30,8 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
     private fun constant(rule: PerceptRule) = "$source: line ${rule.place.line}: each message of ${rule.topic} gives the same percept " +
         "${rule.percept.functor}, which is believed for ever; a field in it, or behind it a condition, for 2 s or all, would change that"
 
-    private fun ofAllFrames(rule: PerceptRule) = "$source: line ${rule.place.line}: one message of ${rule.topic} after the other is about " +
-        "other frames; the pose of one is told by tf PARENT CHILD, as tf map base_link -> ${rule.percept.functor}(x, y, yaw)"
+    private fun ofAllFrames(rule: PerceptRule) = "$source: line ${rule.place.line}: one message of ${rule.topic} after the other is " +
+        "about other frames; the pose of one is told by tf PARENT CHILD, as tf map base_link -> ${rule.percept.functor}(x, y, yaw)"
 }
 
 /** A place in a mapping's file, line and column counted from 1. */
