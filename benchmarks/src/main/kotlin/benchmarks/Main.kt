@@ -7,7 +7,6 @@ import benchmarks.boards.boards
 import benchmarks.boards.boardsCourse
 import benchmarks.boards.hostBoards
 import benchmarks.boards.manyBoards
-import benchmarks.boards.stopThree
 import benchmarks.fleet.fleet
 import benchmarks.ros.REACTING_AGENT
 import benchmarks.ros.reactingAgent
@@ -35,7 +34,6 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "record" to { _, _ -> recorded() },
     "reload" to { _, _ -> reloaded() },
     "fleet" to { _, rows -> fleet(rows) },
-    "boards-reactions" to { file, _ -> stopThree(file) },
 )
 
 /** The programs of [figuresApart]. Each program takes arguments, and returns its figures. */

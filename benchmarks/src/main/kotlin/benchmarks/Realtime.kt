@@ -3,22 +3,16 @@ package benchmarks
 import javino.Protocol
 import java.io.File
 
-/**
- * Measures the promptness of a robot's agent. Prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
- * `NAME-line.svg`.
- */
+/** Measures the promptness of a robot's agent. Prints a table, and writes it to [json]. */
 internal fun realtime(json: File) {
     println("real time, ${machine()}:")
     val table = Table()
     showLatencies(table)
-    val lineUse = showLineUse(table)
+    showLineUse(table)
     showAgents(table)
-    val ages = showAges(table)
+    showAges(table)
     table.writeTo(json)
-    val stem = json.path.removeSuffix(".json")
-    File("$stem-age.svg").writeText(agePlot(ages))
-    File("$stem-line.svg").writeText(lineUsePlot(lineUse))
-    println("all results: $json, $stem-age.svg, $stem-line.svg")
+    println("all results: $json")
 }
 
 /** Prints figures, and keeps them for a file. */
@@ -42,13 +36,12 @@ private fun showLatencies(table: Table) = measureLatencies().forEach { (course, 
     }
 }
 
-/** Returns the share of the line's time by baud rate and version. */
-private fun showLineUse(table: Table): Map<Pair<Int, Int>, Double> = buildMap {
+private fun showLineUse(table: Table) {
     for ((baud, target) in listOf(9600 to 95, 115_200 to 95, 1_000_000 to 80)) for (protocol in listOf(Protocol.V1, Protocol.AUTO)) {
         val version = if (protocol == Protocol.V1) 1 else 2
-        val share = lineUse(baud, protocol)
-        put(baud to version, share)
-        table.show("line use at $baud baud, version $version, argo.limit(0)", 100 * share, "%", "at least $target")
+        table.show(
+            "line use at $baud baud, version $version, argo.limit(0)", 100 * lineUse(baud, protocol), "%", "at least $target",
+        )
     }
 }
 
@@ -62,11 +55,11 @@ private fun showAgents(table: Table) {
     table.show("memory of their process, boards included", residentMb, "MB", "less than 1024")
 }
 
-private fun showAges(table: Table): List<Ages> = buildList {
+private fun showAges(table: Table) {
     for (sensors in listOf(12, 120, 1200)) for (plans in listOf(1, 10, 100)) {
-        val ages = Ages(sensors, plans, snapshotAge(sensors, plans)).also(::add)
+        val ages = snapshotAge(sensors, plans)
         for ((what, share) in listOf("median" to 0.5, "p90" to 0.9, "p99" to 0.99, "longest" to 1.0)) {
-            table.show("age of the snapshot acted on, $sensors sensors, $plans plans a percept, $what", ages.distribution.ms(share), "ms")
+            table.show("age of the snapshot acted on, $sensors sensors, $plans plans a percept, $what", ages.ms(share), "ms")
         }
     }
 }

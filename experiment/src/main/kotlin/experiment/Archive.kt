@@ -1,27 +1,29 @@
 package experiment
 
+import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import java.nio.channels.FileChannel
+import java.nio.channels.OverlappingFileLockException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
+import java.nio.file.StandardOpenOption
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
-import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
  * The settings of all runs of an experiment. A continued experiment must have the same settings.
  *
- * @property seed the seed of the order of the runs and of the noise of the sensors
+ * @property seed the seed of the order of the runs and of chance in them
  * @property slowdown the factor by which the agents reason more slowly than this computer
  * @property computer the calibration behind [slowdown], in words
  * @property port the port of a real robot; null for simulated robots
  */
 @Serializable
-internal data class Settings(val plan: Plan, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
+internal data class Settings<P>(val plan: P, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
 
 /** An experiment cannot be continued; [message] contains the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)
@@ -29,16 +31,25 @@ internal class ContinuationException(message: String) : Exception(message)
 /**
  * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close] only one experiment
  * of one program owns it.
+ *
+ * @param plans the form of plans in `settings.json`
+ * @param read returns the finished run whose record is in a file; null: the record is not whole, so the run has to be made anew
  */
-internal class Archive(val directory: Path) : AutoCloseable {
+internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, private val read: (Path) -> R?) : AutoCloseable {
+    private val form = Settings.serializer(plans)
     private val settingsFile = directory.resolve("settings.json")
     private val runs = directory.resolve("runs")
     private var claim: FileChannel? = null
 
-    fun settings(): Settings? {
+    /**
+     * Returns the settings of the experiment in this directory; null: there is none.
+     *
+     * @throws ContinuationException if they cannot be read
+     */
+    fun settings(): Settings<P>? {
         if (!settingsFile.exists()) return null
         return try {
-            JSON.decodeFromString(Settings.serializer(), settingsFile.readText())
+            JSON.decodeFromString(form, settingsFile.readText())
         } catch (damaged: SerializationException) {
             throw ContinuationException(
                 "$settingsFile cannot be read (${damaged.message?.lineSequence()?.first()}); " +
@@ -53,7 +64,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
      * @throws ContinuationException if the present experiment has other settings, or another program is making it
      * @throws IOException if the directory cannot be written to
      */
-    fun open(asked: Settings) {
+    fun open(asked: Settings<P>) {
         Files.createDirectories(runs)
         if (claim == null) claim = claim(directory)
         val present = settings()
@@ -65,9 +76,9 @@ internal class Archive(val directory: Path) : AutoCloseable {
     }
 
     /** Writes all settings or none, even if the program is killed. */
-    private fun begin(asked: Settings) {
+    private fun begin(asked: Settings<P>) {
         val whole = settingsFile.resolveSibling("settings.json.new")
-        whole.writeText(JSON.encodeToString(Settings.serializer(), asked) + "\n")
+        whole.writeText(JSON.encodeToString(form, asked) + "\n")
         Files.move(whole, settingsFile, StandardCopyOption.REPLACE_EXISTING)
     }
 
@@ -76,8 +87,8 @@ internal class Archive(val directory: Path) : AutoCloseable {
         claim = null
     }
 
-    private fun differences(present: Settings, asked: Settings): String = listOfNotNull(
-        difference("the plan", present.plan.name.lowercase(), asked.plan.name.lowercase()),
+    private fun differences(present: Settings<P>, asked: Settings<P>): String = listOfNotNull(
+        difference("the plan", "${present.plan}".lowercase(), "${asked.plan}".lowercase()),
         difference("the seed", present.seed, asked.seed),
         difference("the slowdown", present.slowdown, asked.slowdown),
         difference("the port", present.port ?: "none", asked.port ?: "none"),
@@ -86,17 +97,35 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Returns the file for the record of [trial], which may not exist yet. */
-    fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")
+    /** Returns the file for the record of the run called [id], which may not exist yet. */
+    fun file(id: String): Path = runs.resolve("$id.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
 
-    /** Returns the finished runs, in no order. A run whose record is not whole has to be made anew. */
-    fun finished(): List<Finished> = records().mapNotNull { file ->
-        val record = readRecord(file)
-        val trial = (record?.first() as Entry.Begin?)?.trial
-        if (record == null || trial?.id != file.nameWithoutExtension) null else Finished(trial, record.last() as Entry.Result)
-    }
+    /** Returns the finished runs, in no order. */
+    fun finished(): List<R> = records().mapNotNull(read)
 
+    /** Returns the number of records that are not whole. */
     fun unusable(): Int = records().size - finished().size
+}
+
+/**
+ * Locks the [directory] of an experiment until the channel is closed. The operating system ends the lock with the program, however that
+ * ends.
+ *
+ * @throws ContinuationException if another experiment has the lock
+ */
+private fun claim(directory: Path): FileChannel {
+    // No other code opens this file, since closing it would end the lock.
+    val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
+    val lock = try {
+        channel.tryLock()
+    } catch (_: OverlappingFileLockException) {
+        null // another experiment of this program has the lock
+    }
+    if (lock != null) return channel
+    channel.close()
+    throw ContinuationException(
+        "an experiment is being made in $directory right now; wait for its end, or choose another directory with --out",
+    )
 }

@@ -8,14 +8,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 
-/** The exit status of an experiment that the user has interrupted. */
-internal const val INTERRUPTED = 130
-
-/** The largest number of runs at once, the largest slowdown, and the bound of random seeds. */
-internal const val MAX_JOBS = 256
-internal const val MAX_SLOWDOWN = 1000.0
-internal const val MAX_SEED = 1_000_000
-
 /**
  * Does [work] with a line of progress, which `show` writes, and with the log of Jason, ARGO and the agents in `log.txt` of [directory].
  * Ctrl-C makes the experiment [given] up.

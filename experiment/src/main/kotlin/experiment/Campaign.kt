@@ -3,27 +3,49 @@ package experiment
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
+/** The runs [T] of an experiment, and how they become finished runs [R]. Several threads may call it. */
+internal interface Runs<T, R : Any> {
+    /** Returns the finished runs, which are not made again. */
+    fun finished(): Map<T, R>
+
+    /**
+     * Makes [run], and keeps its record. Returns null if the experiment was [given] up.
+     *
+     * @throws java.io.IOException if the record cannot be written
+     */
+    fun make(run: T, given: GivenUp): R?
+
+    /** Returns true if this machine was too late for its own simulation in the run that was [made]. */
+    fun isLate(made: R): Boolean
+
+    /** Estimates the time of [run], in ms. */
+    fun expectedMs(run: T): Long
+
+    /** Returns facts about the runs that are [over], for the line of progress. */
+    fun facts(over: Collection<R>): List<String> = emptyList()
+}
+
 /**
- * Makes the missing runs of an experiment, [jobs] at a time in their order, and keeps their records.
+ * Makes the missing [runs] of an experiment, [jobs] at a time in their order.
  *
  * A run is repeated if this machine was late for its own simulation, see [punctual]. The last try counts, and its result records the delay.
  */
-internal class Campaign(
-    private val archive: Archive,
-    private val settings: Settings,
-    private val laboratory: Laboratory,
+internal class Campaign<T, R : Any>(
+    private val runs: Runs<T, R>,
     private val jobs: Int,
     private val given: GivenUp,
     private val report: (Status) -> Unit,
 ) {
     /**
-     * The progress: [done] of [all] runs are over, [collisions] of them at the wall. The other runs will take about [left] ms; 0: all have
+     * The progress: [done] of [all] runs are over, with these [facts] about them. The other runs will take about [left] ms; 0: all have
      * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects further repetitions.
      */
-    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
+    internal data class Status(
+        val done: Int, val all: Int, val left: Long, val repeated: Int = 0, val facts: List<String> = emptyList(),
+    ) {
         /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
         val words: List<String> get() =
-            listOfNotNull("run $done of $all", "$collisions at the wall", "$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
+            listOf("run $done of $all") + facts + listOfNotNull("$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
 
         private val rest: String?
             get() = when {
@@ -40,43 +62,31 @@ internal class Campaign(
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes the missing runs of [trials]. Returns all finished runs. Ends early if the experiment is given up.
+     * Makes the missing ones of [all] runs. Returns all finished runs. Ends early if the experiment is given up.
      *
      * @throws java.io.IOException if a record cannot be written; the experiment is then given up
      */
-    fun run(trials: List<Trial>): List<Finished> {
-        val wanted = trials.toSet()
-        val over = ConcurrentLinkedQueue(archive.finished().filter { it.trial in wanted && it.result.outcome != Outcome.FAILED })
-        val missing = ConcurrentLinkedQueue(trials - over.map { it.trial }.toSet())
-        inParallel(jobs, given) { makeAll(missing, over, trials.size) }
+    fun run(all: List<T>): List<R> {
+        val finished = runs.finished()
+        val over = ConcurrentLinkedQueue(all.mapNotNull(finished::get))
+        val missing = ConcurrentLinkedQueue(all - finished.keys)
+        inParallel(jobs, given) { makeAll(missing, over, all.size) }
         return over.toList()
     }
 
-    private fun makeAll(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
+    private fun makeAll(missing: ConcurrentLinkedQueue<T>, over: ConcurrentLinkedQueue<R>, all: Int) {
         while (!given.isUp) {
-            val collisions = over.count { it.result.outcome == Outcome.COLLIDED }
-            val left = missing.sumOf(::expectedMs) / jobs
-            report(Status(over.size, all, collisions, left + left * repetitions / maxOf(1, over.size), repetitions))
-            val trial = missing.poll() ?: return
-            over += punctual(Finished::isLate, repeated::incrementAndGet) { recorded(trial) } ?: return
+            val left = missing.sumOf(runs::expectedMs) / jobs
+            report(Status(over.size, all, left + left * repetitions / maxOf(1, over.size), repetitions, runs.facts(over)))
+            val run = missing.poll() ?: return
+            over += punctual(runs::isLate, repeated::incrementAndGet) { runs.make(run, given) } ?: return
         }
     }
 
-    private fun recorded(trial: Trial): Finished? = RecordWriter(archive.file(trial)).use { record ->
-        record.write(Entry.Begin(trial, settings))
-        laboratory.run(trial, record, given)?.also(record::write).also { record.requireWhole() }?.let { Finished(trial, it) }
-    }
+    private companion object {
+        const val MINUTE_MS = 60_000L
 
-    companion object {
-        private const val MINUTE_MS = 60_000L
-
-        /** The longest time of a run, in ms, from the start to the wall, unless the run fails. */
-        private const val LONGEST_MS = 21_000L
-
-        /** Estimates the time of [trial], in ms: until a little beyond the limit, or until the wall if a collision is expected. */
-        fun expectedMs(trial: Trial): Long {
-            val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
-            return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L
-        }
+        /** The longest time of a run of any experiment, in ms, unless the run fails. */
+        const val LONGEST_MS = 21_000L
     }
 }

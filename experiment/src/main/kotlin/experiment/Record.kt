@@ -16,7 +16,7 @@ internal sealed interface Entry {
     /** The first line: the run, and its [settings]. */
     @Serializable
     @SerialName("trial")
-    data class Begin(val trial: Trial, val settings: Settings) : Entry
+    data class Begin(val trial: Trial, val settings: Settings<Plan>) : Entry
 
     /** The board began to send its percepts [text]. [distance] is the robot's true place; null: not known. */
     @Serializable

@@ -36,7 +36,7 @@ internal class GivenUp {
 internal class SimulatedLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
-    private val settings: Settings,
+    private val settings: Settings<Plan>,
     private val clock: LineClock = LineClock.system(),
 ) : Laboratory {
     override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {

@@ -35,11 +35,18 @@ private val FULL = Path.of("/dev/full")
 class CampaignSpec : FunSpec({
     val trials = Plan.QUICK.trials(Condition.DEFAULTS).take(6)
 
-    fun archive() = Archive(tempdir().toPath().resolve("x")).apply { open(SETTINGS) }
+    fun archive() = collisionArchive(tempdir().toPath().resolve("x")).apply { open(SETTINGS) }
 
     /** Runs all of [trials] in [archive] by [laboratory]. */
-    fun campaign(archive: Archive, given: GivenUp = GivenUp(), laboratory: Laboratory) =
-        Campaign(archive, SETTINGS, laboratory, 2, given) {}
+    fun campaign(
+        archive: Archive<Plan, Finished> = archive(),
+        given: GivenUp = GivenUp(),
+        jobs: Int = 2,
+        report: (Campaign.Status) -> Unit = {},
+        laboratory: Laboratory,
+    ) = Campaign(CollisionRuns(archive, SETTINGS, laboratory), jobs, given, report)
+
+    fun expectedMs(trials: List<Trial>): Long = CollisionRuns(archive(), SETTINGS) { _, _, _ -> null }.let { trials.sumOf(it::expectedMs) }
 
     test("each run is made once and recorded, whatever the number of robots") {
         val archive = archive()
@@ -51,7 +58,7 @@ class CampaignSpec : FunSpec({
         }.run(trials)
         made shouldContainExactlyInAnyOrder trials
         over.map { it.trial } shouldContainExactlyInAnyOrder trials
-        readRecord(archive.file(trials.first())) shouldBe
+        readRecord(archive.file(trials.first().id)) shouldBe
             listOf(Entry.Begin(trials.first(), SETTINGS), Entry.Command(5, "front", 200.0), stopped())
     }
 
@@ -65,10 +72,10 @@ class CampaignSpec : FunSpec({
             if (made.size > 3) given.giveUp()
             if (given.isUp) null else stopped()
         }
-        val before = campaign(archive, given, laboratory).run(trials)
+        val before = campaign(archive, given, laboratory = laboratory).run(trials)
         before.size shouldBe made.size - trials.count { it in made && it !in before.map(Finished::trial) }
         // whole lines
-        trials.filter { archive.file(it).exists() }.flatMap { archive.file(it).readLines() }.forEach {
+        trials.map { archive.file(it.id) }.filter { it.exists() }.flatMap { it.readLines() }.forEach {
             JSON.decodeFromString(Entry.serializer(), it)
         }
         val again = ConcurrentLinkedQueue<Trial>()
@@ -80,7 +87,7 @@ class CampaignSpec : FunSpec({
     test("a record that was cut off in the middle of a line does not count, and its run is made anew") {
         val archive = archive()
         campaign(archive) { _, _, _ -> stopped() }.run(trials)
-        val cut = archive.file(trials[2])
+        val cut = archive.file(trials[2].id)
         cut.writeText(cut.readText().dropLast(7))
         archive.finished().map { it.trial } shouldContainExactlyInAnyOrder trials - trials[2]
         val again = ConcurrentLinkedQueue<Trial>()
@@ -92,10 +99,10 @@ class CampaignSpec : FunSpec({
     test("so is one that lacks its last line, and one that belongs to another run") {
         val archive = archive()
         campaign(archive) { _, _, _ -> stopped() }.run(trials)
-        archive.file(trials[0]).writeText(archive.file(trials[0]).readLines().first() + "\n")
-        archive.file(trials[1]).writeText(archive.file(trials[2]).readText())
-        archive.file(trials[3]).writeText("")
-        archive.file(trials[4]).appendText("nonsense\n")
+        archive.file(trials[0].id).writeText(archive.file(trials[0].id).readLines().first() + "\n")
+        archive.file(trials[1].id).writeText(archive.file(trials[2].id).readText())
+        archive.file(trials[3].id).writeText("")
+        archive.file(trials[4].id).appendText("nonsense\n")
         archive.finished().map { it.trial } shouldContainExactlyInAnyOrder listOf(trials[2], trials[5])
         archive.unusable() shouldBe 4
     }
@@ -130,11 +137,11 @@ class CampaignSpec : FunSpec({
         val archive = archive()
         val laboratory = Laboratory { trial, record, _ ->
             record.write(Entry.Command(5, "front", 200.0))
-            if (trial == trials[2]) archive.file(trials[3]).createSymbolicLinkPointingTo(FULL) // the disk is full for the next run
+            if (trial == trials[2]) archive.file(trials[3].id).createSymbolicLinkPointingTo(FULL) // the disk is full for the next run
             stopped()
         }
-        val refused = shouldThrow<IOException> { Campaign(archive, SETTINGS, laboratory, 1, GivenUp()) {}.run(trials) }
-        archive.file(trials[3]).deleteExisting()
+        val refused = shouldThrow<IOException> { campaign(archive, jobs = 1, laboratory = laboratory).run(trials) }
+        archive.file(trials[3].id).deleteExisting()
         refused.message shouldContain "${trials[3].id}.jsonl cannot be written: "
         archive.finished().map { it.trial } shouldContainExactlyInAnyOrder trials.take(3)
     }
@@ -155,7 +162,7 @@ class CampaignSpec : FunSpec({
 
     test("two experiments in one directory at once are refused, one after the other are not") {
         val first = archive()
-        val second = Archive(first.directory)
+        val second = collisionArchive(first.directory)
         shouldThrow<ContinuationException> { second.open(SETTINGS) }
             .message shouldContain "an experiment is being made in ${first.directory} right now"
         first.close()
@@ -177,7 +184,7 @@ class CampaignSpec : FunSpec({
     }
 
     test("an empty directory holds no runs") {
-        Archive(tempdir().toPath()).finished().shouldBeEmpty()
+        collisionArchive(tempdir().toPath()).finished().shouldBeEmpty()
     }
 
     test("what comes after a record was closed is not in it") {
@@ -201,25 +208,25 @@ class CampaignSpec : FunSpec({
 
     test("how far it has come is told with the runs at the wall and the time left") {
         val told = ConcurrentLinkedQueue<Campaign.Status>()
-        Campaign(archive(), SETTINGS, { _, _, _ -> stopped().copy(outcome = Outcome.COLLIDED) }, 1, GivenUp(), told::add).run(trials)
-        told.first() shouldBe Campaign.Status(0, 6, 0, trials.sumOf(Campaign::expectedMs))
-        told.last() shouldBe Campaign.Status(6, 6, 6, 0)
+        campaign(jobs = 1, report = told::add) { _, _, _ -> stopped().copy(outcome = Outcome.COLLIDED) }.run(trials)
+        told.first() shouldBe Campaign.Status(0, 6, expectedMs(trials), facts = listOf("0 at the wall"))
+        told.last() shouldBe Campaign.Status(6, 6, 0, facts = listOf("6 at the wall"))
     }
 
     test("runs that the machine was too late for are told while they are repeated") {
         val told = ConcurrentLinkedQueue<Campaign.Status>()
-        Campaign(archive(), SETTINGS, { _, _, _ -> stopped(lateMs = 500.0) }, 1, GivenUp(), told::add).run(trials.take(1))
+        campaign(jobs = 1, report = told::add) { _, _, _ -> stopped(lateMs = 500.0) }.run(trials.take(1))
         told.last().words shouldBe listOf("run 1 of 1", "0 at the wall", "2 repeated: machine late")
     }
 
     test("the time left expects that runs go on being repeated") {
         val told = ConcurrentLinkedQueue<Campaign.Status>()
-        Campaign(archive(), SETTINGS, { _, _, _ -> stopped(lateMs = 500.0) }, 1, GivenUp(), told::add).run(trials)
-        told.elementAt(1).left shouldBe 3 * trials.drop(1).sumOf(Campaign::expectedMs)
+        campaign(jobs = 1, report = told::add) { _, _, _ -> stopped(lateMs = 500.0) }.run(trials)
+        told.elementAt(1).left shouldBe 3 * expectedMs(trials.drop(1))
     }
 
     test("the time left is told in whole minutes, and never as none while there are runs") {
-        fun words(done: Int, seconds: Long) = Campaign.Status(done, 81, 5, seconds * 1000).words
+        fun words(done: Int, seconds: Long) = Campaign.Status(done, 81, seconds * 1000, facts = listOf("5 at the wall")).words
         words(0, 1000) shouldBe listOf("run 0 of 81", "5 at the wall", "about 17 min left")
         listOf(69L, 68, 39, 38, 1, 0).map { words(77, it).last() } shouldBe listOf(
             "about 2 min left", "about 1 min left", "about 1 min left", "less than a minute left", "less than a minute left",

@@ -48,7 +48,7 @@ class ExperimentSpec : FunSpec({
         printed shouldContain "report: "
         status shouldBe 0
         out.resolve("report.html").exists() shouldBe true
-        val finished = Archive(out).finished()
+        val finished = collisionArchive(out).finished()
         finished shouldHaveSize 12
         finished.forAll {
             it.result.outcome shouldBe Outcome.STOPPED

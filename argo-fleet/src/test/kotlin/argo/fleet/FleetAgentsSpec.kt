@@ -15,8 +15,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.infra.local.LocalAgArch
 import kotlin.time.Duration.Companion.seconds
 
 /** Agents of one computer of a fleet, whose other computers are played here. */
@@ -344,6 +346,13 @@ class FleetAgentsSpec : FunSpec({
                 ObservedComputer("scout1", isHere = false, isOn = true, listOf(AgentThere("b", 8081), AgentThere("c", null))),
                 ObservedComputer("scout2", isHere = false, isOn = false, emptyList()),
             )
+        }
+    }
+
+    test("an idle agent that all news wake sleeps longer than one whose architecture may have to be asked") {
+        OneComputer("a at \"base\"; b agentArchClass argo.Arch at \"base\";", "a" to "", "b" to "").use { base ->
+            base.longestSleepMs("a") shouldBeGreaterThan base.longestSleepMs("b")
+            base.longestSleepMs("b") shouldBe LocalAgArch.MAX_SLEEP.toLong()
         }
     }
 

@@ -1,6 +1,7 @@
 package argo.fleet
 
 import argo.Arch
+import argo.fleet.agents.FleetAgArch
 import argo.fleet.node.Fleet
 import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
@@ -61,6 +62,8 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
     }
 
     fun believed(agent: String): List<String> = mas.getAg(agent)?.ts?.ag?.bb?.map { "$it" }.orEmpty()
+
+    fun longestSleepMs(agent: String): Long = (mas.getAg(agent) as FleetAgArch).longestSleepMs
 
     /** The computers that the live view of [agent] shows. */
     fun observed(agent: String): List<ObservedComputer> = (mas.getAg(agent).firstAgArch as Arch).observed.computers

@@ -70,7 +70,7 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    // guarded by the lock, like all fields below
+    // guarded by the lock, like the fields below that are not volatile
     private val poses = mapping.poses.distinctBy { it.topic } // several rules may be about one pose
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
@@ -79,8 +79,11 @@ internal class RosLink private constructor(
     private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
-    private var aliveNanos = clock.nanos()
     private var end: String? = null
+
+    /** The time of the last sign of life, by the clock. */
+    @Volatile
+    private var aliveNanos = clock.nanos()
 
     @Volatile
     private var bridge: Bridge? = null
@@ -103,9 +106,8 @@ internal class RosLink private constructor(
             return true
         }
 
-        override fun isAlive() = lock.withLock {
-            aliveNanos = clock.nanos()
-            changed.signalAll()
+        override fun isAlive() {
+            aliveNanos = clock.nanos() // a thread that waits looks at this when its time is over, so it is not woken
         }
 
         override fun told(sentence: String, isTrouble: Boolean) = if (isTrouble) warn(sentence) else tell(sentence)
@@ -123,8 +125,7 @@ internal class RosLink private constructor(
             if (topic !in subscribed) return // the message was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
             if (topic in Frames.TOPICS) moved(message, topic, nowNanos)
-            if (topic !in perceived) return
-            topics.add(topic, message, trueNanos, nowNanos)
+            if (topic in perceived) topics.add(topic, message, trueNanos, nowNanos)
             changed.signalAll()
         }
     }
@@ -282,7 +283,8 @@ internal class RosLink private constructor(
     override fun close() = gone("it was closed", if (isOpen) commands.cancellations().onEach(::send) else emptyList())
 
     companion object {
-        private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
+        /** The log of all robots. It has the package's name, of which Jason shows the last part, `ros`. */
+        private val LOG: Logger = Logger.getLogger(RosLink::class.java.packageName)
         private const val CHECKING_MS = 3_000L
         private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 

@@ -68,7 +68,7 @@ class MistakesSpec : FunSpec({
     suspend fun told(line: String): List<String> = TestBridge().use { bridge ->
         bridge.beTheRobot()
         val (section, rule) = line.split(": ", limit = 2)
-        LoggedWarnings(RosLink::class.java).use { log ->
+        LoggedWarnings().use { log ->
             try {
                 val mapping = mappingOf(rule.split(" & ").joinToString("\n", "$section:\n") { "  - $it" }, "robot.ros.yaml")
                 val clock = LineClock { System.nanoTime() + ahead.get() }

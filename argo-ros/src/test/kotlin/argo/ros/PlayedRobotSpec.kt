@@ -88,7 +88,7 @@ class PlayedRobotSpec : FunSpec({
     }
 
     test("of a bag it is told what cannot be read, and that it is over; it is not begun before its agent perceives") {
-        LoggedWarnings(RosLink::class.java, Level.INFO).use { log ->
+        LoggedWarnings(Level.INFO).use { log ->
             agentOf(listener.replace("argo.percepts(open)", ".wait(5000); argo.percepts(open)")) {
                 board("$PORT#bag").replays(bags.resolve("odd.mcap"))
             }.use { robot ->

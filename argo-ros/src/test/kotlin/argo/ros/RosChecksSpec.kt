@@ -98,7 +98,7 @@ class RosChecksSpec : FunSpec({
     val ahead = AtomicLong()
     beforeTest {
         bridge = TestBridge()
-        log = LoggedWarnings(RosLink::class.java)
+        log = LoggedWarnings()
         ahead.set(0)
     }
     afterTest {
@@ -217,7 +217,7 @@ class RosChecksSpec : FunSpec({
 
     test("fields of poses that a command leaves empty, and robots need, are told") {
         describe()
-        fun told(fields: String) = LoggedWarnings(RosLink::class.java).use { log ->
+        fun told(fields: String) = LoggedWarnings().use { log ->
             open("commands:\n  - goto(X) -> /goal geometry_msgs/PoseStamped($fields)").close()
             log.messages.map { it.substringAfter("line 2: ") }
         }

@@ -47,7 +47,7 @@ class TranscriptSpec : FunSpec({
     test("what rosbridge keeps to itself is in the log: other types, types that it does not know, topics that nobody publishes") {
         val ahead = AtomicLong()
         val clock = LineClock { System.nanoTime() + ahead.get() }
-        val log = LoggedWarnings(RosLink::class.java)
+        val log = LoggedWarnings()
         val bridge = TranscriptBridge("conflict")
         log.use {
             bridge.use {

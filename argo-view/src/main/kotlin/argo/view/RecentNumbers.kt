@@ -14,12 +14,12 @@ internal class RecentNumbers {
         while (points.size > STEPS) points.removeFirst()
     }
 
-    /** Returns [STEPS] values of each number until [now], oldest first; null: the half second had no number. */
+    /** Returns [STEPS] values of each number until [now], oldest first; null: the half second had no number, or an infinite one. */
     fun values(now: Long): List<List<Double?>> {
         val last = Math.floorDiv(now, STEP_NANOS)
         val numbers = points.lastOrNull()?.numbers?.size ?: 0
         val byStep = points.associateBy { it.step }
-        return (0 until numbers).map { i -> (last - STEPS + 1..last).map { byStep[it]?.numbers?.getOrNull(i) } }
+        return (0 until numbers).map { i -> (last - STEPS + 1..last).map { byStep[it]?.numbers?.getOrNull(i)?.takeIf(Double::isFinite) } }
     }
 
     private class Point(val step: Long, val numbers: List<Double>)

@@ -26,6 +26,12 @@ class RecentNumbersSpec : FunSpec({
         course.values(9_999 * S).single().filterNotNull() shouldHaveSize RecentNumbers.STEPS / 2
     }
 
+    test("a number beyond the range of doubles is none, since the page could not be told it") {
+        val course = RecentNumbers()
+        course.add(listOf("1e999".toDouble(), 4.0), 0)
+        course.values(0).map { it.last() } shouldBe listOf(null, 4.0)
+    }
+
     test("each number of a sensor has a course of its own") {
         val course = RecentNumbers()
         course.add(listOf(1.0, -5.0), 0)

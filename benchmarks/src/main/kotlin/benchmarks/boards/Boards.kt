@@ -29,7 +29,7 @@ fun boards(timelines: File): Boolean {
 /**
  * Measures how soon an agent on three boards reacts, and prints the figures. Writes the timelines of the worst reactions to [timelines].
  */
-internal fun stopThree(timelines: File) {
+private fun stopThree(timelines: File) {
     println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")
     println("%-36s %s".format("", BAUDS.joinToString("   ") { "%26s".format("$it baud") }))
     timelines.writeText("")

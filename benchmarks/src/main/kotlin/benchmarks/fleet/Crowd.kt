@@ -43,7 +43,7 @@ internal fun crowd(): Boolean {
  * memory each and compiled quickly, as for many programs on one computer.
  */
 private fun sharing(project: Project): List<String> {
-    val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")
+    val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData")
     project.packClasses()
     project.file("once.mas2j").writeText("MAS once { infrastructure: ${Project.fleetOf(listOf("once"))} agents: once at \"once\"; }")
     project.file("once.asl").writeText("!end. +!end <- .wait(2000); .stopMAS(0).")

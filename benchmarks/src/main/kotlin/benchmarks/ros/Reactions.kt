@@ -12,8 +12,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
 internal const val REACTING_AGENT = "reacting-agent"
 
 private const val HZ = 50
-private const val ROUNDS = 8
-private const val UNCOUNTED = 2 // in these rounds Java compiles
+private const val ROUNDS = 12
+private const val UNCOUNTED = 6 // in these rounds, of 3,000 scans, Java compiles
 private const val ROUND_MS = 10_000L
 private const val LATE_MS = 500L
 

@@ -1,6 +1,7 @@
 package experiment.delegation
 
 import experiment.MAX_TRIES
+import experiment.Settings
 import experiment.report.Provenance
 import experiment.report.escaped
 import experiment.report.method
@@ -8,7 +9,7 @@ import experiment.report.one
 import experiment.report.whole
 
 /** Describes the method of the experiment with [settings], whose runs are [measured], as items of a list in HTML. */
-internal fun method(settings: DelegationSettings, measured: List<Measured>, made: Provenance): String {
+internal fun method(settings: Settings<DelegationPlan>, measured: List<Measured>, made: Provenance): String {
     val plan = settings.plan
     return method(
         DESIGN + listOf(

@@ -2,6 +2,7 @@ package experiment.delegation
 
 import argo.tools.command.counted
 import experiment.MAX_TRIES
+import experiment.Settings
 import experiment.analysis.Source
 import experiment.analysis.shareIntervals
 import experiment.analysis.words
@@ -18,14 +19,16 @@ import java.nio.file.Path
 import java.time.temporal.ChronoUnit
 
 /** Writes the report on all runs of an experiment, [measured], to `report.html` and `figures/` in [directory]. Returns the page's file. */
-internal fun writeDelegationReport(directory: Path, settings: DelegationSettings, measured: List<Measured>, made: Provenance): Path {
+internal fun writeDelegationReport(
+    directory: Path, settings: Settings<DelegationPlan>, measured: List<Measured>, made: Provenance,
+): Path {
     val report = DelegationReport(Figures(directory.resolve("figures")), settings, measured, made)
     return Files.writeString(directory.resolve("report.html"), page("One agent or several", report.body()))
 }
 
 private class DelegationReport(
     private val figures: Figures,
-    private val settings: DelegationSettings,
+    private val settings: Settings<DelegationPlan>,
     private val measured: List<Measured>,
     private val made: Provenance,
 ) {
@@ -43,7 +46,7 @@ private class DelegationReport(
 and J. S. Sichman asked this at the end of “ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming”,
 EMAS 2016. The reaction is the time from a sensor's change to the command that it causes. A ratio below 1 means that a design reacts faster
 than one agent with one board.</p>
-<p>Made with ARGO ${escaped(made.build)} on ${made.at.truncatedTo(ChronoUnit.MINUTES)}. All runs are in <code>runs.jsonl</code>.</p>
+<p>Made with ARGO ${escaped(made.build)} on ${made.at.truncatedTo(ChronoUnit.MINUTES)}. All runs are in <code>runs</code>.</p>
 ${late()}""" + table(
         "${nextTable()}. Reaction as a ratio to that of one agent in the same block: the geometric mean over all loads, with its 95 % " +
             "interval.",

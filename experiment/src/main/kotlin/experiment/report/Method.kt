@@ -3,6 +3,7 @@ package experiment.report
 import experiment.Condition
 import experiment.Finished
 import experiment.MAX_TRIES
+import experiment.Plan
 import experiment.RealLaboratory
 import experiment.Settings
 import experiment.Trial
@@ -28,7 +29,7 @@ internal class Provenance(val build: String, val at: Instant, val machine: Strin
  * Describes the method of the experiment with [settings], as items of a list in HTML. [made] is the program and the machine behind the
  * report.
  */
-internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
+internal fun method(settings: Settings<Plan>, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     method((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
 
 /** Lists the parts of a method, each with its description in HTML. */
@@ -44,7 +45,7 @@ private val AGENT = "Agent" to "<code>experiment/agent/robot.asl</code>, the one
     "name the functors that the agent wants. (d): as (c), and each filter has a critical rule: a front distance of at most the limit, " +
     "with the reflex <code>stop</code>."
 
-private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<String, String>> = listOf(
+private fun simulated(settings: Settings<Plan>, runs: List<Finished>): List<Pair<String, String>> = listOf(
     "Robot" to "simulated. It starts ${Course.START_CM.toInt()} cm from the wall, drives at ${Course.SPEED_CM_S.toInt()} cm/s and " +
         "starts and stops at once; at 0 cm it has collided.",
     "Sensors" to "distance, light and temperature on four sides. All ${Sensors.PER_SET} readings change in each frame; a distance " +
@@ -75,7 +76,7 @@ private fun real(port: String): List<Pair<String, String>> = listOf(
     "Computer" to "this one; reasoning is not slowed.",
 )
 
-private fun common(settings: Settings, failed: List<Finished>, made: Provenance): List<Pair<String, String>> = listOf(
+private fun common(settings: Settings<Plan>, failed: List<Finished>, made: Provenance): List<Pair<String, String>> = listOf(
     "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(made.machine)}",
     "Program" to "ARGO ${escaped(made.build)}. The report was written at ${made.at.truncatedTo(ChronoUnit.SECONDS)}.",
     "Records" to "<code>runs.csv</code>, a line for each run, and <code>runs/*.jsonl</code>, one file a run: " +

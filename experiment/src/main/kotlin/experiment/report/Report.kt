@@ -21,7 +21,7 @@ import java.time.temporal.ChronoUnit
  * Writes the report on the [finished] runs. The report is a page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
  * `runs.csv`. Returns the file of the page.
  */
-internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
+internal fun writeReport(directory: Path, settings: Settings<Plan>, finished: List<Finished>, made: Provenance): Path {
     val report = Report(Figures(directory.resolve("figures")), settings, finished, made)
     Files.writeString(directory.resolve("runs.csv"), csv(finished, settings.seed, made.build))
     val page = directory.resolve("report.html")
@@ -29,7 +29,9 @@ internal fun writeReport(directory: Path, settings: Settings, finished: List<Fin
     return page
 }
 
-private class Report(private val figures: Figures, private val settings: Settings, finished: List<Finished>, private val made: Provenance) {
+private class Report(
+    private val figures: Figures, private val settings: Settings<Plan>, finished: List<Finished>, private val made: Provenance,
+) {
     private val plan = settings.plan
     private var tables = 0
     private val failed = finished.filter { !it.isMeasured && !it.trial.isScaled }

@@ -1,13 +1,14 @@
 package experiment.delegation
 
-import experiment.ContinuationException
+import experiment.JSON
+import experiment.Settings
 import experiment.analysis.Source
 import experiment.program
 import experiment.report.Provenance
-import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.nulls.shouldNotBeNull
@@ -18,16 +19,14 @@ import jason.asSyntax.ASSyntax
 import javino.LineClock
 import java.io.PrintWriter
 import java.io.StringWriter
-import java.nio.file.Path
 import java.time.Instant
-import kotlin.io.path.appendText
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.math.ln
 import kotlin.random.Random
 
 class DelegationSpec : FunSpec({
-    val settings = DelegationSettings(DelegationPlan.QUICK, seed = 3, slowdown = 5.0, computer = "of a test")
+    val settings = Settings(DelegationPlan.QUICK, seed = 3, slowdown = 5.0, computer = "of a test")
 
     /** Makes up runs in which the reaction takes [ms]. */
     fun made(plan: DelegationPlan = DelegationPlan.QUICK, ms: (DelegationRun) -> Double) =
@@ -132,38 +131,16 @@ class DelegationSpec : FunSpec({
     }
 
     context("the records") {
-        fun records(path: Path) = DelegationRecords(path)
-
-        test("they hold the runs for a continuation, without a line that was cut off") {
-            val directory = tempdir().toPath().resolve("x")
-            val (first, second) = made { 10.0 }
-            records(directory).use {
-                it.settings() shouldBe null
-                it.open(settings) shouldBe 0
-                it.add(first)
-            }
-            directory.resolve("runs.jsonl").appendText("{\"run\":{\"blo")
-            records(directory).use {
-                it.settings() shouldBe settings
-                it.open(settings) shouldBe 1
-                it.finished shouldBe listOf(first)
-                it.add(second)
-            }
-            records(directory).use {
-                it.open(settings) shouldBe 0
-                it.finished shouldBe listOf(first, second)
-            }
-        }
-
-        test("two experiments in one directory at once are refused, and so are settings that cannot be read") {
-            val directory = tempdir().toPath()
-            records(directory).use {
-                it.open(settings)
-                shouldThrow<ContinuationException> { records(directory).open(settings) }.message shouldContain "being made"
-            }
-            val other = tempdir().toPath()
-            other.resolve("runs.jsonl").writeText("no settings\n")
-            shouldThrow<ContinuationException> { records(other).settings() }.message shouldContain "does not begin with settings"
+        test("each run is in a file of its own, and one that was cut off is made anew") {
+            val archive = delegationArchive(tempdir().toPath().resolve("x")).apply { open(settings) }
+            val runs = made { 10.0 }.take(2)
+            runs.forEach { archive.file(it.run.id).writeText(JSON.encodeToString(Measured.serializer(), it)) }
+            archive.finished() shouldContainExactlyInAnyOrder runs
+            archive.file(runs[1].run.id).writeText("{\"run\":{\"blo")
+            archive.finished() shouldBe runs.take(1)
+            archive.unusable() shouldBe 1
+            delegationArchive(archive.directory).settings() shouldBe settings
+            archive.close()
         }
     }
 
@@ -172,10 +149,10 @@ class DelegationSpec : FunSpec({
         "delegation --jobs 0" to "--jobs is from 1 to 256, not 0",
         "delegation --slowdown 0.5" to "--slowdown is from 1 to 1000, not 0.5",
         "delegation --slowdown 2 --out /dev/null" to "cannot be written to",
-        "delegation --out PRESENT --seed 4" to "holds the plan quick with --seed 3 and --slowdown 5.0",
+        "delegation --out PRESENT --seed 4" to "the seed is 3 there and 4 was asked for",
     ).forEach { (arguments, why) ->
         test("$arguments is refused in words") {
-            val present = tempdir().toPath().also { directory -> DelegationRecords(directory).use { it.open(settings) } }
+            val present = tempdir().toPath().also { directory -> delegationArchive(directory).use { it.open(settings) } }
             val printed = StringWriter()
             val words = arguments.replace("PRESENT", "$present --quick").split(' ').toTypedArray()
             PrintWriter(printed, true).let { program().setOut(it).setErr(it).execute(*words) } shouldBe 2

@@ -1,8 +1,11 @@
 package samples.fleet
 
+import java.io.IOException
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -19,26 +22,52 @@ internal class Fleet private constructor(
     private val classPath: String,
     private val printed: (String) -> Unit,
 ) : AutoCloseable {
-    private val computers = ports.keys.associateWithTo(LinkedHashMap(), ::started)
+    private val computers = ports.keys.associateWithTo(LinkedHashMap(), ::Computer)
 
     /** Ends the process of [computer] as a power failure does. */
     fun kill(computer: String) = computers.getValue(computer).kill()
 
     /** Starts the process of [computer] again. */
     fun start(computer: String) {
-        computers[computer] = started(computer)
+        computers[computer] = Computer(computer)
     }
 
-    private fun started(computer: String) = FleetComputer.start(project, computer, java, classPath, printed)
-
-    fun isAlive(computer: String) = computers.getValue(computer).isAlive
+    fun isAlive(computer: String) = computers.getValue(computer).process.isAlive
 
     override fun close() {
-        computers.values.forEach(FleetComputer::close)
+        computers.values.forEach { it.close() }
         project.parent.toFile().deleteRecursively()
     }
 
+    /** The computer called [name] in the `.mas2j`, behind `at`: a process in the directory of the project. */
+    private inner class Computer(name: String) {
+        val process: Process = ProcessBuilder(
+            java, "-XX:TieredStopAtLevel=1", "-cp", classPath, "argo.fleet.MainKt", "${project.fileName}", "--at", name,
+        ).directory(project.parent.toFile()).redirectErrorStream(true).start()
+
+        private val reader = thread(isDaemon = true, name = "computer $name") {
+            try {
+                process.inputStream.bufferedReader().forEachLine(printed)
+            } catch (_: IOException) {
+                // a destroyed process loses its unread output
+            }
+        }
+
+        fun kill() {
+            process.destroyForcibly().waitFor()
+            reader.join()
+        }
+
+        /** Asks the process to end; kills it if it does not end in time. */
+        fun close() {
+            process.destroy()
+            if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
+            reader.join()
+        }
+    }
+
     companion object {
+        private const val PATIENCE_S = 5L
         private val FILES = listOf("fleet.mas2j", "coordinator.asl", "scout.asl")
         private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 

@@ -18,6 +18,7 @@ import argo.recording.agent.AwaitedOutside
 import argo.recording.agent.MessageContent
 import jason.JasonException
 import jason.architecture.AgArch
+import jason.asSemantics.Agent
 import jason.asSemantics.Message
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
@@ -181,7 +182,9 @@ internal class FleetAgArch(
         keep(MindNews(agName, reign.term, ++minds, mind.program())).whenComplete { _, lost -> if (lost != null) isTold = false }
     }
 
-    /** Sleeps until [wake] is called, a second at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too. */
+    /**
+     * Sleeps until [wake] is called, [longestSleepMs] at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too.
+     */
     override fun sleep() {
         if (ts.settings.isSync) return
         sleepLock.withLock {
@@ -190,10 +193,20 @@ internal class FleetAgArch(
             } catch (_: InterruptedException) {
                 // the agent is stopped
             }
-            sleepMs = if (isWoken) FIRST_SLEEP_MS else minOf(sleepMs + SLEEP_STEP_MS, LAST_SLEEP_MS)
+            sleepMs = if (isWoken) FIRST_SLEEP_MS else minOf(2 * sleepMs, longestSleepMs)
             isWoken = false
         }
     }
+
+    /**
+     * Jason's second for agents whose environment, other architectures or class may want to be asked for news, and for those whose mind is
+     * kept. The other agents are woken by all news; then an idle agent costs next to nothing.
+     */
+    internal val longestSleepMs: Long
+        get() {
+            val isOnlyWoken = reign == null && firstAgArch === this && envInfraTier == null && ts.ag.javaClass == Agent::class.java
+            return if (isOnlyWoken) LONG_SLEEP_MS else SHORT_SLEEP_MS
+        }
 
     override fun wake() = sleepLock.withLock {
         isWoken = true
@@ -206,7 +219,7 @@ internal class FleetAgArch(
         /** The time between two copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
-        const val SLEEP_STEP_MS = 100L
-        const val LAST_SLEEP_MS = 1000L
+        const val SHORT_SLEEP_MS = 1000L
+        const val LONG_SLEEP_MS = 10_000L
     }
 }

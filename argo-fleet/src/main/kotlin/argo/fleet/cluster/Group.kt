@@ -31,6 +31,6 @@ internal interface Loop : AutoCloseable {
     /** Runs [task] after all tasks given before. */
     fun execute(task: () -> Unit)
 
-    /** Runs [task] every [millis] ms until the loop is closed. */
-    fun every(millis: Long, task: () -> Unit)
+    /** Runs [task] once, in [millis] ms. */
+    fun after(millis: Long, task: () -> Unit)
 }

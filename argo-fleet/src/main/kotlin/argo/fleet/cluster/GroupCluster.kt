@@ -26,6 +26,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null
+    private var isWatching = false
     private lateinit var listener: ClusterListener
 
     @Volatile
@@ -36,7 +37,6 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     override fun listen(listener: ClusterListener) {
         check(!this::listener.isInitialized) { "the cluster has a listener already" }
         this.listener = listener
-        loop.every(TICK_MILLIS, ::tick)
         group.join(this)
     }
 
@@ -64,6 +64,14 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
 
     private fun transmitDue(member: Computer) {
         peers.getValue(member).outgoing.due(loop.now()).forEach { group.transmit(member, it.bytes()) }
+        watch()
+    }
+
+    /** Has [tick] run soon if a message may be lost, or if this computer may have to leave. Otherwise the loop's thread sleeps. */
+    private fun watch() {
+        if (isWatching || rivalSince == null && members.all { peers[it]?.outgoing?.isEmpty ?: true }) return
+        isWatching = true
+        loop.after(TICK_MILLIS, ::tick)
     }
 
     override fun arrived(from: Computer, frame: ByteArray): Unit = synchronized(lock) {
@@ -127,6 +135,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         members.filter { it != group.here && it !in peers }.forEach { peers[it] = Peer(it) }
         forgetOld()
         rivalSince = if (members.none(::isOlderRival)) null else rivalSince ?: loop.now()
+        watch()
         val computers = members.asReversed().associateBy { it.name }
         val next = ClusterView(computers, hosts.count { it in computers } * 2 > hosts.size)
         loop.execute {
@@ -154,6 +163,8 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private fun tick() {
         val now = loop.now()
         val isRefused = synchronized(lock) {
+            isWatching = false
+            watch()
             members.forEach { member ->
                 val outgoing = peers[member]?.outgoing ?: return@forEach
                 outgoing.overdue(now)?.let { group.transmit(member, it.bytes()) }

@@ -8,7 +8,6 @@ import org.jgroups.protocols.PerDestinationBundler
 import org.jgroups.protocols.TCP
 import org.jgroups.protocols.TCPPING
 import org.jgroups.protocols.UNICAST3
-import org.jgroups.protocols.VERIFY_SUSPECT2
 import org.jgroups.protocols.pbcast.GMS
 import org.jgroups.protocols.pbcast.NAKACK2
 import org.jgroups.protocols.pbcast.STABLE
@@ -22,10 +21,10 @@ import java.net.InetSocketAddress
 internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Protocol> = listOf(
     transport(settings.bind, sockets),
     discovery(settings),
-    merging(settings.hosts.size),
+    merging(settings),
     failures(settings.hosts.size),
     // a suspected computer is asked before it is given up, since a connection may break while both ends live
-    VERIFY_SUSPECT2().apply { setTimeout(VERIFYING) },
+    Verification().setTimeout(VERIFYING),
     // these three carry the views to all computers, but not this project's messages: see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),
@@ -83,34 +82,28 @@ private fun discovery(settings: ClusterSettings): Discovery {
     return found.apply { asyncDiscovery<Discovery>(true) }
 }
 
-/**
- * When separated parts of a fleet can reach each other again, they notice this within 1.6 times the longer interval. Once an interval each
- * computer asks each host, so intervals grow with the fleet.
- */
-private fun merging(hosts: Int) = MERGE3().apply {
-    val longest = maxOf(MERGING, MERGING_FOR_EACH * hosts)
-    setMaxInterval(longest)
-    setMinInterval(longest / 2)
+private fun merging(settings: ClusterSettings): MERGE3 {
+    val others = settings.hosts.filter { (name, address) -> name != settings.here && !address.isUnresolved }.values
+    val merging = if (settings.hosts.isEmpty()) MERGE3() else Reunion(others)
+    return merging.apply {
+        setMaxInterval(MERGING)
+        setMinInterval(MERGING / 2)
+    }
 }
 
-/**
- * Sends a sign of life to each computer about once a second, with more than ten hosts less often: so no more than with ten.
- * A computer without a sign in two rounds is suspected, within three rounds.
- */
-private fun failures(hosts: Int) = FD_ALL3().apply {
+/** With more than twenty hosts, signs of life go less often, so that many computers on one machine leave it idle. */
+private fun failures(hosts: Int): FD_ALL3 {
     val round = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
-    setInterval(round)
-    setTimeout(2 * round)
+    return SignsOfLife().setInterval(round).setTimeout(2 * round)
 }
 
 private const val SIGN_OF_LIFE = 800L
-private const val SIGN_OF_LIFE_FOR_EACH = 80L
+private const val SIGN_OF_LIFE_FOR_EACH = 40L
 private const val VERIFYING = 200L
 private const val JOINING = 1000L
 private const val VIEW_ACKNOWLEDGEMENTS = 500L
 private const val CONNECTING = 500
 private const val MERGING = 1500L
-private const val MERGING_FOR_EACH = 200L
 private const val MAX_BYTES = 1 shl 20
 private const val BUFFER = 32 shl 10
 private const val BUNDLE = 24 shl 10

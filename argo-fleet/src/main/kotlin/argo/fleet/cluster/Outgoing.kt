@@ -33,6 +33,9 @@ internal class Outgoing(private val to: String, first: Long) {
     var next = first
         private set
 
+    /** Whether all messages have an end. */
+    val isEmpty: Boolean get() = waiting.isEmpty()
+
     private val oldest get() = waiting.firstOrNull()?.number ?: next
 
     /** @throws Overloaded if [message] is too long, or too much waits */

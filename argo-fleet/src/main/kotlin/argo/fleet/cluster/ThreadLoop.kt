@@ -10,17 +10,16 @@ internal class ThreadLoop(name: String) : Loop {
 
     override fun now(): Long = System.nanoTime()
 
-    override fun execute(task: () -> Unit) = try {
-        executor.execute { guarded(task) }
+    override fun execute(task: () -> Unit) = after(0, task)
+
+    override fun after(millis: Long, task: () -> Unit) = try {
+        executor.schedule({ guarded(task) }, millis, TimeUnit.MILLISECONDS)
+        Unit
     } catch (e: RejectedExecutionException) {
         LOG.log(System.Logger.Level.DEBUG, "the cluster is closed", e)
     }
 
-    override fun every(millis: Long, task: () -> Unit) {
-        executor.scheduleWithFixedDelay({ guarded(task) }, millis, millis, TimeUnit.MILLISECONDS)
-    }
-
-    /** Logs exceptions. Otherwise an exception would end a repeated task in silence. */
+    /** Logs exceptions. Otherwise the executor would keep them for a caller that never asks. */
     private fun guarded(task: () -> Unit) = try {
         task()
     } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {

@@ -41,8 +41,9 @@ internal data class Directory(
     val planned: Map<String, List<String>> = emptyMap(),
     private val hosts: Set<String> = emptySet(),
 ) {
-    private val owners: Map<String, String> = inTouch.sortedDescending().minus(here).plus(here)
-        .flatMap { computer -> roster(computer).agents.map { it to computer } }.toMap()
+    private val owners: Map<String, String> by lazy {
+        inTouch.sortedDescending().minus(here).plus(here).flatMap { computer -> roster(computer).agents.map { it to computer } }.toMap()
+    }
 
     /** The names of all agents in touch. */
     val names: Set<String> get() = owners.keys

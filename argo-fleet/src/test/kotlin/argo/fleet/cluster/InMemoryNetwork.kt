@@ -9,7 +9,7 @@ package argo.fleet.cluster
  */
 internal class InMemoryNetwork(private val hosts: Set<String>, private val isLost: (Computer, Computer) -> Boolean = { _, _ -> false }) {
     private inner class Node(override val here: Computer) : Group, Loop {
-        private val repeated = mutableListOf<() -> Unit>()
+        private var later = listOf<() -> Unit>()
         var listener: GroupListener? = null
         val isUp get() = listener != null
 
@@ -27,12 +27,16 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
         override fun now(): Long = nanos
         override fun execute(task: () -> Unit) = enqueue(task)
 
-        override fun every(millis: Long, task: () -> Unit) {
+        override fun after(millis: Long, task: () -> Unit) {
             check(millis == TICK_MILLIS)
-            repeated += task
+            later += task
         }
 
-        fun tick() = repeated.forEach { if (isUp) it() }
+        fun tick() {
+            val due = later
+            later = emptyList()
+            due.forEach { if (isUp) it() }
+        }
 
         /** The group's and the loop's end. */
         override fun close() {

@@ -169,12 +169,17 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /** The number of characters of a dropped message that are logged. The logged part contains the topic's name. */
         private const val SHOWN_LENGTH = 60
 
-        /** The client for all sockets, since each client has threads of its own. The client ends when no socket uses it any more. */
-        private var shared = WeakReference<HttpClient>(null)
+        /** The client of each address, since each client has a thread of its own. A client ends when no socket uses it any more. */
+        private val clients = HashMap<String, WeakReference<HttpClient>>()
 
+        /**
+         * Returns the client for the bridge at [address]. Its thread, which reads the bytes, also handles the messages. A thread of an
+         * executor would have to be woken for each message.
+         */
         @Synchronized
-        private fun client(): HttpClient = shared.get()
-            ?: HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S)).build().also { shared = WeakReference(it) }
+        private fun clientFor(address: URI): HttpClient = clients[address.authority]?.get()
+            ?: HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S)).executor(Runnable::run).build()
+                .also { clients[address.authority] = WeakReference(it) }
 
         /**
          * Connects to the bridge at [address].
@@ -184,7 +189,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
          * @throws PortFaultException if a server answers that is no bridge
          */
         fun connect(port: String, address: URI, listener: BridgeListener, credentials: Credentials = Credentials()): BridgeSocket {
-            val client = client()
+            val client = clientFor(address)
             val builder = client.newWebSocketBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S))
             if (credentials.token != null) builder.header("Authorization", "Bearer ${credentials.token}")
             val opening: CompletableFuture<WebSocket> = builder.buildAsync(address, Receiver(listener, credentials.secret != null))

@@ -105,9 +105,9 @@ internal class Commands(
         pending[id] = entry
         outcome.whenComplete { _, _ -> ended(id, entry) }
         message.left.whenComplete { _, trouble -> left(entry, trouble) }
-        limit(id, entry, options.limitMillis())
         graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
+        if (!outcome.isDone) limit(id, entry, options.limitMillis())
         val giveUp = if (rule.kind == Kind.ACTION) ({ giveUp(id, entry) }) else null
         return SentCommand(outcome, CompletableFuture.anyOf(message.left, outcome).handle { _, _ -> }, giveUp)
     }

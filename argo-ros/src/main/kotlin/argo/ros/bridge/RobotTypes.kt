@@ -153,7 +153,16 @@ internal class RobotTypes(
 
     /** Reports fields that commands leave empty although robots need them. */
     private fun tellEmpty() = mapping.commands.forEach { rule ->
-        of(rule)?.emptyAmong(rule.fields.map { it.steps }).orEmpty().forEach { warn("${mapping.source}: line ${rule.place.line}: $it") }
+        val type = of(rule) ?: return@forEach
+        val empty = type.emptyAmong(rule.fields.map { it.steps }) + listOfNotNull(emptyRequest(rule, type))
+        empty.forEach { warn("${mapping.source}: line ${rule.place.line}: $it") }
+    }
+
+    private fun emptyRequest(rule: CommandRule, type: MessageType): String? {
+        val names = type.fieldNames
+        if (rule.kind == Kind.TOPIC || rule.hasFields || names.isEmpty()) return null
+        return "${rule.name} gives the fields of ${rule.type} no value: ${names.joinToString(", ")}; " +
+            "write (${names.first()} = …), or () if all are to be 0, false or empty"
     }
 
     private fun check(field: FieldValue, type: MessageType) {

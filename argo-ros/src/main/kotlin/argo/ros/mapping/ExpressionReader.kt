@@ -55,7 +55,11 @@ internal class ExpressionReader(
         val left = sum(isArgument)
         val place = cursor.place
         val operator = cursor.takeOneOf(Condition.OPERATORS) ?: return left
-        return Condition.Comparison(usable(left, place), operator, usable(sum(false), place))
+        val right = sum(false)
+        if (left is Expression.Constant && right is Expression.Constant) {
+            throw Refusal(place, "$operator compares two constants, and no field; the name of a field has no quotes")
+        }
+        return Condition.Comparison(usable(left, place), operator, usable(right, place))
     }
 
     private fun sum(isArgument: Boolean): Expression = calculation(listOf("+", "-"), isArgument) { one ->

@@ -15,16 +15,23 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
     /** The rules for the poses of frames. */
     val poses: List<PerceptRule> = percepts.filter { it.frames != null }
 
-    /** Sentences about percepts of several rules that an agent cannot tell apart. */
+    /** Sentences about percepts that an agent cannot tell apart, that no message changes, or that come of one frame after the other. */
     val doubts: List<String>
         get() = percepts.groupBy { it.shape }.filterKeys { it != null }.values
-            .filter { rules -> rules.size > 1 && rules.any { it.topic != rules[0].topic || it.condition == null } }.map(::doubt)
+            .filter { rules -> rules.size > 1 && rules.any { it.topic != rules[0].topic || it.condition == null } }.map(::alike) +
+            percepts.filter { it.isConstant }.map(::constant) + percepts.filter { it.topic in Frames.TOPICS }.map(::ofAllFrames)
 
-    private fun doubt(rules: List<PerceptRule>): String {
+    private fun alike(rules: List<PerceptRule>): String {
         val percept = rules[0].percept
         return "$source: lines ${rules.joinToString(" and ") { "${it.place.line}" }} give percepts ${percept.functor}/" +
             "${percept.arguments.size} that an agent cannot tell apart; an atom in one of them would do, as ${percept.functor}(front, …)"
     }
+
+    private fun constant(rule: PerceptRule) = "$source: line ${rule.place.line}: each message of ${rule.topic} gives the same percept " +
+        "${rule.percept.functor}, which is believed for ever; a field in it, or behind it a condition, for 2 s or all, would change that"
+
+    private fun ofAllFrames(rule: PerceptRule) = "$source: line ${rule.place.line}: one message of ${rule.topic} after the other is about " +
+        "other frames; the pose of one is told by tf PARENT CHILD, as tf map base_link -> ${rule.percept.functor}(x, y, yaw)"
 }
 
 /** A place in a mapping's file, line and column counted from 1. */
@@ -54,6 +61,11 @@ internal class PerceptRule(
     val shape: List<Any?>?
         get() = percept.arguments.map { (it as? Expression.Constant)?.value }.takeIf { null in it }?.plus(percept.functor)
 
+    /** True if all messages give the same percept, and the percept has no end. */
+    val isConstant: Boolean
+        get() = condition == null && forMs == null && !isOfEach && frames == null && percept.fields().isEmpty() &&
+            Expression.AllFields !in percept.arguments
+
     /**
      * True if no message may be skipped: a message that meets the condition counts even if the next message, soon after it, does not meet
      * it.
@@ -77,6 +89,7 @@ internal data class Frames(val parent: String, val child: String) {
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
+ * @property hasFields whether the mapping has fields, perhaps none, in brackets
  * @property withinMs the time that the outcome may take, in ms
  * @property answer the answer to the agent, made of fields of the response or result; null: the list of all its fields
  * @property feedback the percept of the feedback of an action while its goal is under way; null: none
@@ -89,6 +102,7 @@ internal class CommandRule(
     val target: String,
     val type: String,
     val fields: List<FieldValue>,
+    val hasFields: Boolean,
     val withinMs: Int,
     val answer: Expression? = null,
     val feedback: PerceptRule? = null,

@@ -95,6 +95,9 @@ internal class MessageType private constructor(
     /** Returns true if a message of this type has the field [name]. */
     fun has(name: String): Boolean = types[own]?.containsKey(name) == true
 
+    /** The names of this type's fields. */
+    val fieldNames: Set<String> get() = types[own].orEmpty().keys
+
     /** Returns sentences about fields of poses that stay empty in a message in which only [paths] have values. */
     fun emptyAmong(paths: List<Path>): List<String> = paths.flatMap { path -> path.indices.map(path::take) }.distinct()
         .flatMap { place -> emptyRotations(place, paths) + listOfNotNull(emptyFrame(place, paths)) }

@@ -131,8 +131,8 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     if (kind == Kind.ACTION && !isAction(type)) {
         throw Refusal(typePlace, "$type is no action: ROS 1 has pkg/DockAction, ROS 2 pkg/action/Dock")
     }
-    val isWritten = cursor.take("(")
-    val fields = if (isWritten) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
+    val hasFields = cursor.take("(")
+    val fields = if (hasFields) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
     val used = fields.flatMap { it.value.fields() }.map { written(it.path) }
     parameters.find { it !in used }?.let {
         throw Refusal(start, "the argument $it of ${literal.functor} is used nowhere; write FIELD = $it")
@@ -146,7 +146,7 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val answer = if (cursor.take("answer")) inResponse.read(isArgument = true) else null
     if (answer != null && kind == Kind.TOPIC) throw Refusal(answerPlace, "nobody answers a message of a topic; services and actions answer")
     end(cursor, "within TIME, then feedback LITERAL, then answer VALUE")
-    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs, answer, feedback)
+    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, hasFields, withinMs, answer, feedback)
 }
 
 private fun feedbackOf(percept: Expression.Compound, kind: Kind, owner: String, type: String, place: Place): PerceptRule {

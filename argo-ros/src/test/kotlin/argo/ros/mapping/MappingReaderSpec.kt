@@ -246,6 +246,13 @@ class MappingReaderSpec : FunSpec({
         doubts("/a my_msgs/A -> speed(x) if fast", "/a my_msgs/A -> speed(y) if not fast") shouldBe emptyList()
     }
 
+    test("a percept that is the same for each message is doubted, unless it is an event, or ends") {
+        fun doubts(rule: String) = mappingOf("percepts:\n  - $rule", "t").doubts
+        doubts("/a std_msgs/Empty -> pressed").single() shouldContain "t: line 2: each message of /a gives the same percept pressed"
+        listOf("/a my_msgs/A", "/a std_msgs/Empty -> pressed all", "/a std_msgs/Empty -> alive for 2 s", "tf map base -> located")
+            .forEach { doubts(it) shouldBe emptyList() }
+    }
+
     test("a mapping is found in its directory, then on the class path, and nowhere else") {
         val directory = createTempDirectory("argo-ros")
         val file = directory.resolve("robot.ros.yaml").apply { writeText("percepts:\n  - /a std_msgs/Bool") }

@@ -95,7 +95,7 @@ internal class MonitorCommand : DataCommand() {
         private val explained = HashSet<String>()
         private var kinds: List<PerceptKind>? = null
         private var unanswered = 0
-        private var silence: String? = null
+        private val silences = HashSet<String>()
 
         fun untilEnd(): Int {
             val status = try {
@@ -112,7 +112,6 @@ internal class MonitorCommand : DataCommand() {
             }
             Thread.interrupted() // the summary is not interrupted
             summary()
-            if (rates.messages == 0L) silence?.let(err::println)
             return status
         }
 
@@ -132,9 +131,14 @@ internal class MonitorCommand : DataCommand() {
                 val described = kinds ?: describedKinds().also { kinds = it }
                 show(text, described)
             } catch (late: PortTimeoutException) {
-                if (board.isAsked) show(late) else silence = late.message
+                if (board.isAsked) show(late) else tellOnce(late)
             }
             if (board.isAsked) waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        }
+
+        private fun tellOnce(silence: PortTimeoutException) {
+            val reason = printable(silence.message.orEmpty())
+            if (silences.add(reason)) err.println("$reason; monitor goes on waiting for percepts")
         }
 
         private fun describedKinds(): List<PerceptKind> {

@@ -71,7 +71,7 @@ internal class ReplayCommand : JasonCommand() {
         tellUnusedOptions()
         if (!runsHere) return runElsewhere("$file")
         if (options.isWhatIf) return runOthers(options)
-        val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck, options.debugPort).run { agent, changed ->
+        val report = AgentReplay(file, options).run { agent, changed ->
             changed.forEach { err.println("$it has changed since; breakpoints and places are those of the recorded program") }
             err.println("agent $agent is paused before its first cycle; attach a debugger, set breakpoints, and have it continue")
         }

@@ -6,35 +6,20 @@ import argo.recording.replay.Replay
 import argo.tools.command.ToolException
 import java.nio.file.Path
 
-/**
- * Replays the agents of the recording [file].
- *
- * @param from the moment from which cycles are shown; null: none is shown
- * @param until the moment at which the replay ends; null: at the end
- * @param shownAgents the agents to show; empty: all
- * @param isChecking whether the project's own actions and functions are carried out again
- * @param debugPort the port at which debuggers reach the agents; null: none
- */
-internal class AgentReplay(
-    private val file: Path,
-    private val from: Moment?,
-    private val until: Moment?,
-    private val shownAgents: Set<String>,
-    private val isChecking: Boolean,
-    private val debugPort: Int?,
-) {
+/** Replays the agents of the recording [file] as the [options] say. */
+internal class AgentReplay(private val file: Path, private val options: AgentReplayOptions) {
     /**
-     * Returns the result. With a [debugPort], an agent is paused before the first cycle, until a debugger has it go on; then [standing]
-     * gets its name, and the files of programs that have changed since.
+     * Returns the result. With a port for debuggers, an agent is paused before the first cycle, until a debugger has it go on; then
+     * [standing] gets its name, and the files of programs that have changed since.
      * @throws RecordingException if no part of the recording can be replayed
      */
     fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
-        val unknown = shownAgents - recording.agents.keys
+        val unknown = options.of - recording.agents.keys
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no agent ${unknown.first()}; those that it has: ${recording.agents.keys.joinToString()}")
         }
         try {
-            Replay(recording, isChecking, debugPort).use { replay(recording, it, standing) }
+            Replay(recording, options.isCheck, options.debugPort).use { replay(recording, it, standing) }
         } catch (unreadable: IllegalArgumentException) {
             throw ToolException("a message in $file cannot be read: ${unreadable.message}")
         }
@@ -44,15 +29,15 @@ internal class AgentReplay(
         val firstNs = recording.firstNs
             ?: throw ToolException("$file holds no cycle of an agent; an agent that cannot be recorded says why in the log of its run")
         val beginNs = replay.nextNs ?: firstNs
-        val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
+        val endNs = options.until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
         val cycles = cycles(recording, firstNs, endNs)
-        if (from != null && cycles.isEmpty()) throw ToolException("$file has no cycle in the time of --from and --until")
-        if (debugPort != null) replay.pause()?.let { standing(it, recording.changedFiles()) }
+        if (options.from != null && cycles.isEmpty()) throw ToolException("$file has no cycle in the time of --from and --until")
+        if (options.debugPort != null) replay.pause()?.let { standing(it, recording.changedFiles()) }
         val begin = System.nanoTime()
         val trouble = stopping { replay.run(endNs) }
         val elapsedNs = System.nanoTime() - begin
-        val believers = if (until == null && from != null) emptySet() else shownAgents
-        val shown = believers.ifEmpty { if (until == null) emptySet() else recording.agents.keys }
+        val believers = if (options.until == null && options.from != null) emptySet() else options.of
+        val shown = believers.ifEmpty { if (options.until == null) emptySet() else recording.agents.keys }
         return ReplayReport(
             recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
             elapsedNs,
@@ -65,8 +50,8 @@ internal class AgentReplay(
         recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
     private fun cycles(recording: Recording, firstNs: Long, endNs: Long): List<ShownCycle> {
-        val beginNs = nsOf(from ?: return emptyList(), recording, firstNs)
-        return recording.agents.keys.filter { shownAgents.isEmpty() || it in shownAgents }.flatMap { agent ->
+        val beginNs = nsOf(options.from ?: return emptyList(), recording, firstNs)
+        return recording.agents.keys.filter { options.of.isEmpty() || it in options.of }.flatMap { agent ->
             recording.cycles(agent).filter { it.ns in beginNs until endNs }.map { ShownCycle(agent, it) }
         }.sortedBy { it.cycle.ns }
     }
@@ -74,7 +59,7 @@ internal class AgentReplay(
     private fun nsOf(moment: Moment, recording: Recording, firstNs: Long): Long = when (moment) {
         is Moment.Time -> firstNs + minOf(moment.ns, Long.MAX_VALUE - firstNs)
         is Moment.OfCycle -> {
-            val agents = recording.agents.keys.filter { shownAgents.isEmpty() || it in shownAgents }
+            val agents = recording.agents.keys.filter { options.of.isEmpty() || it in options.of }
             agents.mapNotNull { agent -> recording.cycles(agent).find { it.number >= moment.number }?.ns }.minOrNull()
                 ?: throw ToolException("no agent has a cycle ${moment.number} or a later one")
         }

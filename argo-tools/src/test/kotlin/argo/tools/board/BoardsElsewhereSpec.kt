@@ -65,6 +65,10 @@ class BoardsElsewhereSpec : FunSpec({
         said.out shouldContain "said(4)"
         said.out shouldContain "the board speaks elsewhere"
     }
+    test("monitor tells once that a board which is listened to is silent, and what it waits for") {
+        argo("monitor", "elsewhere:robot", "--count", "3", "--timeout", "70").err shouldBe
+            "port elsewhere:robot is there, and has had nothing to say for 70 ms; monitor goes on waiting for percepts\n"
+    }
     test("monitor refuses a mode, since a board that is on no line is never asked") {
         argo("monitor", "elsewhere:robot", "--count", "1", "--mode", "request").let {
             it.status shouldBe 2

@@ -1,0 +1,144 @@
+package experiment
+
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.requireWithin
+import experiment.report.Provenance
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import java.io.IOException
+import java.nio.file.Path
+import java.time.Instant
+import kotlin.random.Random
+
+/**
+ * A command that makes the runs [T] of an experiment, and writes a report on the finished runs [R].
+ *
+ * @param plans the plans [P]: the full one, the quick one, the shortest one
+ */
+@Command(
+    exitCodeListHeading = "%nExit status:%n",
+    exitCodeList = [
+        "0:all runs are made", "1:some have failed, or a record could not be written", "2:wrong arguments",
+        "130:interrupted; the same command continues",
+    ],
+    sortOptions = false,
+)
+internal abstract class RunsCommand<P, T, R : Any>(private val plans: List<P>) : ToolCommand() {
+    @Option(names = ["--quick"], description = ["fewer runs, for some minutes"])
+    private var quick = false
+
+    @Option(names = ["--smoke"], hidden = true, description = ["the shortest plan, to try the program"])
+    private var smoke = false
+
+    @Option(names = ["--jobs"], paramLabel = "N", description = ["runs at once (default: two for each processor)"])
+    protected var jobs: Int? = null
+
+    @Option(
+        names = ["--seed"], paramLabel = "S",
+        description = ["the seed for the order of the runs and for chance in them (default: random)"],
+    )
+    private var seed: Long? = null
+
+    @Option(
+        names = ["--slowdown"], paramLabel = "X",
+        description = [
+            "how many times slower than this computer the agents of simulated robots reason, at least 1 " +
+                "(default: measured, as slow as a Raspberry Pi 3 of 2016)",
+        ],
+    )
+    protected var slowdown: Double? = null
+
+    @Option(
+        names = ["--out"], paramLabel = "DIR",
+        description = ["where records and report go (default: experiment-results, of delegation delegation-results)"],
+    )
+    private var directory: Path? = null
+
+    private val name get() = spec.name().substringAfterLast(' ') // without the user's words before it
+
+    /** The port of a real robot; null: the robots are simulated. */
+    protected open val port: String? get() = null
+
+    /** Refuses wrong options of this experiment. */
+    protected abstract fun check()
+
+    protected abstract fun archive(directory: Path): Archive<P, R>
+
+    /** Returns all runs, in their order. */
+    protected abstract fun all(settings: Settings<P>): List<T>
+
+    /** Returns the runs for a campaign, which this machine is to make punctually. */
+    protected abstract fun runs(archive: Archive<P, R>, settings: Settings<P>, punctuality: Punctuality, given: GivenUp): Runs<T, R>
+
+    /** Writes the report on the runs of [archive]. Returns the page's file. */
+    protected abstract fun report(archive: Archive<P, R>, settings: Settings<P>, made: Provenance): Path
+
+    /** Returns the exit status if all runs are [over]. */
+    protected open fun status(over: List<R>): Int = ExitStatus.DONE
+
+    override fun call(): Int {
+        jobs?.let { spec.requireWithin("--jobs", it, 1..MAX_JOBS) }
+        slowdown?.let { if (!(it in 1.0..MAX_SLOWDOWN)) misuse("--slowdown is from 1 to ${MAX_SLOWDOWN.toInt()}, not $it") }
+        check()
+        return archive(directory ?: Path.of("$name-results")).use(::make)
+    }
+
+    private fun make(archive: Archive<P, R>): Int {
+        val settings = opened(archive)
+        val speed = if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"
+        println("seed ${settings.seed}; agents reason $speed (${settings.computer})")
+        val unusable = archive.unusable()
+        if (unusable > 0) println("made anew, since their records are incomplete, damaged or of another version of ARGO: $unusable runs")
+        return try {
+            make(archive, settings)
+        } catch (unwritable: IOException) {
+            val remedy = "The records are kept: make room, and the same command with --out ${archive.directory} continues"
+            err.println("$name: ${unwritable.message}. $remedy")
+            ExitStatus.FAILED
+        }
+    }
+
+    private fun opened(archive: Archive<P, R>): Settings<P> = try {
+        settings(archive.settings()).also(archive::open)
+    } catch (refused: ContinuationException) {
+        misuse(refused.message.orEmpty())
+    } catch (unwritable: IOException) {
+        misuse("--out ${archive.directory} cannot be written to: $unwritable")
+    }
+
+    /** Returns the settings of the [present] experiment, changed by the options; without one, those of a new experiment. */
+    private fun settings(present: Settings<P>?): Settings<P> {
+        val plan = plans[if (smoke) 2 else if (quick) 1 else 0]
+        if (present != null) {
+            return present.copy(plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port)
+        }
+        val (factor, computer) =
+            if (port == null) Calibration.slowdown(slowdown) else NOT_SLOWED to "those of a real robot are not slowed"
+        return Settings(plan, seed ?: Random.nextInt(1, MAX_SEED).toLong(), factor, computer, port)
+    }
+
+    private fun make(archive: Archive<P, R>, settings: Settings<P>): Int {
+        val all = all(settings)
+        val atOnce = jobs ?: (2 * Runtime.getRuntime().availableProcessors())
+        val given = GivenUp()
+        val over = attended(archive.directory, given) { show, punctuality ->
+            Campaign(runs(archive, settings, punctuality, given), atOnce, given) { show(it.words) }.run(all)
+        }
+        if (given.isUp) {
+            println("interrupted after ${over.size} of ${all.size} runs; the same command with --out ${archive.directory} continues")
+            return INTERRUPTED
+        }
+        println("report: ${report(archive, settings, Provenance(build(), Instant.now(), machine("At most $atOnce runs at once")))}")
+        return status(over)
+    }
+
+    private companion object {
+        /** The exit status of an experiment that the user has interrupted. */
+        const val INTERRUPTED = 130
+        const val MAX_JOBS = 256
+        const val MAX_SLOWDOWN = 1000.0
+        const val MAX_SEED = 1_000_000
+        const val NOT_SLOWED = 1.0
+    }
+}
