@@ -84,7 +84,7 @@ private fun stepsIn(body: PlanBody?): List<PlanBody> =
 private fun within(term: Term?): List<PlanBody> = when {
     term is PlanBody -> stepsIn(term)
     term is ListTermImpl -> term.asList.flatMap(::within) // Jason logs a warning when the terms of a list are asked for
-    term is Structure && term.hasTerm() -> term.terms.flatMap(::within)
+    term is Structure -> term.terms.orEmpty().flatMap(::within) // an event has terms, but no list of them
     else -> emptyList()
 }
 

@@ -328,6 +328,7 @@ private const val WATCHING = """!start.
 +dist(f,X)
    // the command
    <- argo.act(seen(X)).
++!look <- .relevant_plans({+!start}, Plans); .print(Plans).
 """
 
 private const val COUNTING = """!next(0).
