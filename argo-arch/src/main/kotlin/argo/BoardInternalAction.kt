@@ -22,8 +22,10 @@ import java.io.Serializable
  * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
  * until another thread has done the work. The action never suspends the agent.
  */
-abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
-    ConcurrentInternalAction(), Serializable {
+abstract class BoardInternalAction internal constructor(
+    @Transient private val name: String,
+    @Transient private val arguments: IntRange,
+) : ConcurrentInternalAction(), Serializable {
     /** Returns true if the action suspends its intention until the work has ended: see [Call.suspendIntention]. */
     final override fun suspendIntention(): Boolean = suspends
 
@@ -55,8 +57,8 @@ abstract class BoardInternalAction internal constructor(private val name: String
     /** Never called: the links that an action waits for have their own time limits. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
-    /** Java's serialization of an agent calls this, and writes the result in place of the action. */
-    protected fun writeReplace(): Any = SavedAction(javaClass)
+    /** Java's serialization calls this when it has read an agent, and takes the result, which keeps nothing, in place of the action. */
+    protected fun readResolve(): Any = javaClass.getConstructor().newInstance()
 
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
         /** The call in the agent's words, for messages. */
@@ -99,11 +101,6 @@ abstract class BoardInternalAction internal constructor(private val name: String
             return if (isAlike) null else Failure("other_answer", "it was carried out, and the answer $answer does not unify with $awaited")
         }
     }
-}
-
-/** Stands for an action of the class [type] in a serialized agent. */
-private class SavedAction(private val type: Class<*>) : Serializable {
-    private fun readResolve(): Any = type.getConstructor().newInstance()
 }
 
 private fun counted(arguments: IntRange) = when {

@@ -27,6 +27,7 @@ import java.util.logging.Logger
  */
 @Suppress("ClassName")
 open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
+    @Transient
     private val reported = HashSet<Pair<String, PerceptionFilter>>() // for one agent: Jason makes one instance for each agent
 
     override fun run(call: Call) {

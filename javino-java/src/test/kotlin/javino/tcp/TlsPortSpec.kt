@@ -53,6 +53,8 @@ class TlsPortSpec : FunSpec({
     val folder by lazy { tempdir().toPath().resolve("tls") } // not made yet
     fun fileOf(board: TlsBoard) = folder.resolve("127.0.0.1_${board.number}.crt")
 
+    beforeTest { folder.toFile().deleteRecursively() } // a board may get the number of an earlier one
+
     fun talks(board: TlsBoard) {
         val far = board.accept()
         open(board, folder).use { computer ->

@@ -20,6 +20,8 @@ import argo.recording.agent.MessageContent
 import jason.JasonException
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
+import jason.asSemantics.CircumstanceListener
+import jason.asSemantics.Event
 import jason.asSemantics.Message
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
@@ -68,6 +70,9 @@ internal class FleetAgArch(
         super.insertAgArch(arch)
         if (arch !== this) return
         FleetActions.install(ts.ag, questions)
+        ts.c.addEventListener(object : CircumstanceListener {
+            override fun eventAdded(event: Event) = wake() // also an event of a project's own thread, which may not wake the agent
+        })
         percepts = FleetPercepts.of(ts.settings.getUserParameter(FleetPercepts.OPTION), logger::severe)
         begun?.let(::goOnWith)
     }
@@ -223,7 +228,7 @@ internal class FleetAgArch(
 
     /**
      * Jason's second for agents whose environment, other architectures or class may want to be asked for news, and for those whose mind is
-     * kept. The other agents are woken by all news; then an idle agent costs next to nothing.
+     * kept. All news wake the other agents, so while nothing happens they cost next to nothing.
      */
     internal val longestSleepMs: Long
         get() {
