@@ -14,7 +14,8 @@ import jason.asSyntax.Term
  * description has `stop`, it goes to the board on the port in use.
  *
  * The intention, not the agent, is suspended until the last byte has left the line. With a board of version 2 of the protocol, it is
- * suspended until the board has acknowledged the action. Commands are sent in order.
+ * suspended until the board has acknowledged the action. A board with a table of actions has then carried it out; a sketch that
+ * reads messages one by one has taken it. Commands are sent in order.
  *
  * `argo.act(W, Options)` takes a list of
  * - `port(P)`: the command goes to the board on P, an open port of the agent, perceived or not
