@@ -40,17 +40,17 @@ import java.util.logging.Logger
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
  * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. These are the architecture's options.
- * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
- * `argo_percepts=4096` limits the percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe
- * before the agent is paused, see [argo.observing.Pausing]. `argo_resume="robot.state"` is the file with the state from which the agent
- * goes on. Other options belong to observers, such as `argo_view=8080` to the live view.
+ * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` decides when the agent gets snapshots of the sensors. `argo_percepts=4096`
+ * limits the percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe before the agent is
+ * paused, see [argo.observing.Pausing]. `argo_resume="robot.state"` names the file that keeps the agent's state for its next run. Other
+ * options belong to observers, such as `argo_view=8080` to the live view.
  *
- * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
- * A reasoning cycle waits for a line only under `in_cycle`, which exists for comparison.
+ * The architecture follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
+ * Programming", EMAS 2016. No reasoning cycle waits for a board, except under `in_cycle`, which exists for comparison.
  *
  * Jason calls the methods of [AgArch]; a project has no reason to call any.
  *
- * @param platform the agent's time, threads and ports; those of the machine if Jason makes the architecture
+ * @param platform the agent's time, threads and ports; by default, as when Jason constructs an architecture, those of the machine
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
@@ -58,7 +58,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // functions for the boundary, made once for all cycles
+    // the boundary gets these functions in each cycle; they are made only once
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
@@ -79,11 +79,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal val commands by lazy { CommandRouter(boards) }
     internal val awaited = AwaitedWork()
 
-    /** Takes a person's orders to the agent. Available from [init] on. */
+    /** Receives the orders that a person gives to the agent. Available from [init] on. */
     internal lateinit var hand: Hand
         private set
 
-    /** Orders of observers, which the agent carries out in its next cycle or while it is paused. Available from [init] on. */
+    /** What observers ask the agent to do, in its next cycle or while it is paused. Available from [init] on. */
     internal lateinit var requests: CompletionInbox<() -> Unit>
         private set
 
@@ -97,7 +97,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** The agent's pauses. Available from [init] on. */
     internal lateinit var pausing: AgentPausing
         private set
-    private var isBeginning = false // for the agent's thread, like the next property
+    private var isBeginning = false // only the agent's thread uses this and the next property
     private var hasBegunCycle = false
 
     /** The boundary through which all inputs reach the agent. Any thread may ask. */
@@ -154,10 +154,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun doRequests() = requests.takeAll().forEach { it() }
 
-    /** Returns true if Jason may take no event: an atomic plan holds all events back, or `events=requeue` puts some back for ever. */
+    /** Returns true if events may stay in Jason's queue: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
-    /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
+    /** Uses [filter] from the next perception on; null: no filter. Called by the agent's thread. */
     internal fun perceiveThrough(filter: PerceptionFilter?) {
         boards.perceiveThrough(filter)
         environment.switchTo(filter)
@@ -178,7 +178,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleStarting()
     }
 
-    /** Begins the cycle at the boundary, unless it has begun, and carries out the orders that have come. */
+    /** Tells the boundary that a cycle begins, once for each cycle. Then carries out the orders that have come. */
     private fun beginCycle() {
         if (!hasBegunCycle) boundary.cycleStarting(ts)
         hasBegunCycle = true
@@ -186,15 +186,15 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Carries out, on the thread of an agent that is paused, the requests that have come meanwhile. Orders and requests begin the agent's
-     * next cycle. If the agent is paused within a cycle, orders wait.
+     * Carries out the requests that have come while the agent is paused; called by the agent's thread. If the agent is paused between two
+     * cycles, orders or requests begin its next cycle. If the agent is paused within a cycle, orders wait.
      */
     private fun takeOrders() {
         if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
         doRequests()
     }
 
-    /** Returns the percepts if boards, ports or the Jason environment have news since the last call; else null. */
+    /** Returns all percepts if boards, ports or the Jason environment have news since the last call; else null. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
@@ -211,7 +211,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         return Perception((environment.percepts + perception.beliefs()).toMutableList(), waiting, boards.hasNamespaces)
     }
 
-    /** Jason calls this when it has added the events of the new percepts. */
+    /** Jason calls this function when it has added the events of the new percepts. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
         waiting?.let { before -> takeTurns(ts.c.events, before) { boundary.boardOf(it) { boardOf(it) } } }
@@ -230,7 +230,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun canSleep(): Boolean = boundary.canSleep(sleepLive)
 
-    /** Jason calls this between the rules of its cycle. */
+    /** Jason calls this function between the rules of its cycle. */
     override fun isRunning(): Boolean {
         val isRunning = super.isRunning()
         boundary.ruleApplied()
@@ -247,7 +247,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleFinished()
     }
 
-    /** Closes all ports and ends all threads, without waiting for a line. */
+    /** Closes all ports and ends all threads. Does not wait for bytes on a line. */
     override fun stop() {
         observing.each { it.close() }
         if (::pausing.isInitialized) pausing.close()
@@ -257,12 +257,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private val saved by lazy { SavedArch(this) }
 
-    /** Java's serialization of an agent calls this, and writes the result in place of the architecture. */
+    /** Java's serialization of an agent calls this function, and writes the result in place of the architecture. */
     protected fun writeReplace(): Any = saved
 
     /**
-     * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first
-     * architecture, and some architectures cannot be stopped twice.
+     * True if Jason itself stops each architecture of this agent. Its Local infrastructure does. Other infrastructures stop only the first
+     * architecture. Some architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 

@@ -2,11 +2,11 @@ package argo
 
 import java.util.concurrent.ConcurrentHashMap
 
-/** The work outside of an agent that its suspended intentions wait for, if the work can be given up. Safe for use by several threads. */
+/** Work on other threads that can be given up, and for which an agent's suspended intentions wait. Safe for several threads. */
 internal class AwaitedWork {
     private val begun = ConcurrentHashMap<String, () -> Unit>()
 
-    /** Adds work that the intention suspended under [key] waits for; [giveUp] ends the work early. */
+    /** Adds the work for which the intention suspended under [key] waits; [giveUp] ends the work early. */
     fun begin(key: String, giveUp: () -> Unit) {
         begun[key] = giveUp
     }
@@ -15,6 +15,6 @@ internal class AwaitedWork {
         begun -= key
     }
 
-    /** Gives up the work of intentions that are no longer suspended under [keys]: the agent has dropped them. */
+    /** Gives up the work for dropped intentions: their keys are missing from [keys], the keys of all suspended intentions. */
     fun giveUpDropped(keys: Set<String>) = begun.keys.filter { it !in keys }.forEach { begun.remove(it)?.invoke() }
 }

@@ -19,8 +19,8 @@ import jason.asSyntax.Term
 import java.io.Serializable
 
 /**
- * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
- * until another thread has done the work. The action never suspends the agent.
+ * The base of ARGO's internal actions: finds the calling agent, and makes plans fail. An action does its work at once, or suspends the
+ * intention until another thread has done the work. The action never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(
     @Transient private val name: String,
@@ -31,7 +31,7 @@ abstract class BoardInternalAction internal constructor(
 
     internal open val suspends: Boolean get() = false
 
-    /** Returns the term in [args] with which the answer from outside must unify; null: no answer is awaited. */
+    /** Returns the term in [args] with which a robot's answer must unify; null: no answer is awaited. */
     internal open fun awaitedIn(args: Array<Term>): Term? = null
 
     /** Does the action's work. Called by the agent's thread. */
@@ -43,7 +43,7 @@ abstract class BoardInternalAction internal constructor(
         return ts.boundary.call(InternalCall(name, args, un, suspend)) { carryOut(call) }
     }
 
-    /** Carries [call] out outside of an intention. Throws [JasonException] if it fails. Called by the agent's thread. */
+    /** Carries out [call] for a caller that is no intention. Throws [JasonException] if it fails. Called by the agent's thread. */
     internal fun carryOut(call: Call): Boolean {
         try {
             if (call.args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${call.args.size}")
@@ -54,14 +54,14 @@ abstract class BoardInternalAction internal constructor(
         return true
     }
 
-    /** Never called: the links that an action waits for have their own time limits. */
+    /** Jason never calls this function, since actions set no timeout. The links for which an action waits have their own time limits. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
     /** Java's serialization calls this when it has read an agent, and takes the result, which keeps nothing, in place of the action. */
     protected fun readResolve(): Any = javaClass.getConstructor().newInstance()
 
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
-        /** The call in the agent's words, for messages. */
+        /** The call with the values of its arguments, for messages. */
         val text: String get() = "$name(${args.joinToString(",")})"
 
         val arch: Arch
@@ -70,8 +70,8 @@ abstract class BoardInternalAction internal constructor(
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
-         * Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails; and with
-         * the text of the answer, or null. The agent's thread calls [giveUp], perhaps late, if it drops the intention before the outcome.
+         * Suspends the intention. Call the returned function once, on any thread: with the failure of the plan, or null, and with the text
+         * of the answer, or null. If the agent drops the intention before that, its thread calls [giveUp], perhaps late.
          */
         fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)
@@ -88,7 +88,7 @@ abstract class BoardInternalAction internal constructor(
         private fun end(key: String, failure: CommandFailure?) =
             resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
 
-        /** Unifies [awaited] with [answer] in the intention; returns the reason if they do not unify. */
+        /** Unifies [awaited] with [answer] in the intention suspended under [key]. If they do not unify, returns the reason. */
         private fun differing(key: String, awaited: Term, answer: String?): Failure? {
             if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
             val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped the intention

@@ -12,7 +12,7 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
-/** The base of ARGO's internal actions that only ask, so contexts of plans may contain them too. */
+/** The base of ARGO's internal actions that only ask. Contexts of plans may contain such actions too. */
 abstract class BoardQuery internal constructor(private val name: String, private val arguments: Int) : DefaultInternalAction() {
     final override fun getMinArgs() = arguments
 
@@ -33,15 +33,13 @@ abstract class BoardQuery internal constructor(private val name: String, private
         /** Returns the exception for an argument of a wrong kind. */
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
-        /**
-         * Returns the result of a call without an answer: false in a context. As a step of a plan, it fails the plan for the reason [why].
-         */
+        /** Returns the result of a call that has no answer: false in a context; as a step of a plan, the call fails the plan with [why]. */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 
         /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; a call in a context has its own. */
+        /** Returns true if the call is a step of a plan. Such a call uses the plan's unifier; a call in a context uses another one. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

@@ -11,15 +11,15 @@ import jason.JasonException
 import jason.asSyntax.Literal
 
 /**
- * Writes how an agent uses its boards as calls of internal actions, and sets its boards up by such calls.
+ * Describes an agent's use of its boards by calls of internal actions, and sets the boards up by such calls.
  *
- * @param told takes the reasons why something cannot be set up as it was
+ * @param told receives the reason for each call that cannot be carried out again
  */
 internal class BoardSetUp(private val arch: Arch, private val platform: Platform, private val told: (String) -> Unit) {
     private val boards get() = arch.boards
     private val ports get() = arch.boards.ports
 
-    private var awaited: List<String>? = null // calls that are carried out when all ports are open; null: they have been
+    private var awaited: List<String>? = null // calls that wait until all ports are open; null: none waits
 
     /**
      * Returns the calls, without the prefix `argo.`, that set the boards up as they are, or as they will be when all ports are open. Called
@@ -47,7 +47,7 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
 
     /**
      * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open. A port that cannot be opened is tried again
-     * each second. [done] is also called if the agent chooses its ports itself meanwhile.
+     * each second. If the agent chooses ports itself in the meantime, [done] is called too.
      */
     fun restore(calls: List<String>, done: () -> Unit) {
         val read = calls.associateWith(PerceptReader::read)
@@ -82,10 +82,10 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
         }
     }
 
-    /** Sets boards up in the agent's next cycle, so the agent's recording contains the filters. */
+    /** Calls [setUp] in the agent's next cycle, so the agent's recording contains the filters. */
     private fun later(setUp: () -> Unit) = arch.ts.runAtBeginOfNextCycle { setUp() }
 
-    /** Carries [call] out as if a plan made it. */
+    /** Carries out [call] as if a plan contained it. */
     private fun carryOut(call: Literal) {
         val action = ACTIONS[call.functor]?.invoke() ?: return told("argo.$call is no call that sets boards up")
         try {
@@ -99,7 +99,7 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
         const val PORTS = "ports"
         const val AGAIN_MS = 1000L
 
-        /** The actions besides [PORTS] by which an agent sets its boards up. */
+        /** The actions, besides [PORTS], by which an agent sets its boards up. */
         val ACTIONS = mapOf("limit" to ::limit, "percepts" to ::percepts, "change_filter" to ::change_filter)
     }
 }

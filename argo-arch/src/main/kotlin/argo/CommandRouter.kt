@@ -19,11 +19,11 @@ import jason.asSyntax.Term
 import jason.bb.BeliefBase
 
 /**
- * Finds the board for a command of the agent among [boards], and sends the command there. Belongs to the agent's thread.
+ * Finds the board for a command of the agent among [boards], and sends the command to this board. For the agent's thread only.
  *
  * A command may name its board by a namespace, or by a port in its options. Any other command goes to the board of its plan's module,
- * unless this board's description lacks the command. Such a command goes to the only board whose description has the command. If no
- * description has the command, it goes to the board on the port in use.
+ * unless this board's description lacks the command. Then, or without a module, the command goes to the only board whose description has
+ * the command. If no description has the command, it goes to the board on the port in use.
  */
 internal class CommandRouter(private val boards: AgentBoards) {
     private sealed interface Route {
@@ -32,15 +32,15 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 
     /**
-     * Sends [command], a literal or a string. The snapshots of one board wait for the command. This is the board whose percept caused the
-     * command, or else the board that gets it.
+     * Sends [command], a literal or a string. Until the command is done, the agent gets no further snapshot of the board whose percept
+     * caused the command. If no percept caused it, this applies to the board that gets the command.
      *
-     * @param module the namespace of the command's module; null: it is in no module
+     * @param module the namespace of the module whose plan sends the command; null: the plan is in no module
      * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before
      *     [outcome]
      * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way, with
      *     [Transmission.giveUp]
-     * @return null: the command was sent; else the reason why the command has no board
+     * @return null: the command was sent; else the reason why it was not sent
      * @throws argo.calls.ArgumentException if the line cannot carry the command
      */
     fun send(
@@ -127,7 +127,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 }
 
-/** Returns the command as a literal; null: it is a string that is no literal. */
+/** Returns the command as a literal; null: it is a string that cannot be read as a literal. */
 private fun literalOf(command: Term): Literal? = try {
     if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
 } catch (_: PerceptSyntaxException) {
@@ -141,7 +141,7 @@ internal fun moduleOf(ts: TransitionSystem): String? {
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
 
-/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: no percept did. */
+/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: another event began it. */
 internal fun perceptBehind(ts: TransitionSystem): Literal? = intentionOf(ts)?.bottom?.trigger?.literal
     ?.takeIf { it.hasSource(BeliefBase.APercept) }
 

@@ -91,7 +91,7 @@ internal class ObservedArch(
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Makes the agent's thread do [work] in its next cycle, or at once if the agent is paused. */
+    /** Makes the agent's thread do [work] and then [done], in the agent's next cycle, or at once if the agent is paused. */
     private fun later(done: () -> Unit, work: () -> Unit) = arch.requests.put {
         work()
         done()

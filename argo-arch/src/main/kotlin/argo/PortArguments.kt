@@ -10,7 +10,7 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
-/** Returns the name of the port [term] in the form for a transport. Throws [ArgumentException] if [term] names no port. */
+/** Returns the name by which a transport opens the port [term]. Throws [ArgumentException] if [term] names no port. */
 internal fun portName(term: Term): String {
     val name = when {
         term is VarTerm -> term.functor
@@ -23,12 +23,12 @@ internal fun portName(term: Term): String {
     return name
 }
 
-/** Returns the term for the port in the agent's beliefs: [written] or, if [written] is a variable, [name] as a string. */
+/** Returns the term for the port in the agent's beliefs: [name] as a string if [written] is a variable, else [written]. */
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
 
 /**
- * Returns the board that the options of [call] name, in its second argument `[port(P)]`; null: the call has no options. Throws
- * [ArgumentException] for other options or several ports.
+ * Returns the board that the second argument of [call] names, as in `[port(P)]`; null: the call names none. Throws [ArgumentException] for
+ * other options or several ports.
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)

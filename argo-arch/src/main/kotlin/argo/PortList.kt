@@ -7,7 +7,7 @@ import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Reads the [list] of ports of `argo.ports`. Throws [ArgumentException] if [list] is no such list. */
+/** Reads [list], the argument of `argo.ports`. Throws [ArgumentException] if [list] is no list of ports. */
 internal fun wantedPorts(list: Term): List<WantedPort> = elements(list).map(::wantedPort).distinct().also { wanted ->
     wanted.groupBy { "${it.term}" }.values.find { it.size > 1 }?.let {
         throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")

@@ -30,7 +30,7 @@ import kotlin.concurrent.withLock
 
 /**
  * Keeps the state of the agent of [arch] in [file], for the option `argo_resume`. The agent goes on from the state that its last run has
- * left there. The agent's thread makes a state between two cycles.
+ * kept in [file]. The agent's thread makes a state between two cycles.
  *
  * @param wallMs ms since 1970
  */
@@ -44,7 +44,7 @@ internal class Resuming(
     private val name = arch.agName
     private val setUp = BoardSetUp(arch, platform, ::warn)
     private var awaited: List<String> = emptyList() // events that begin when all ports are open
-    private var readable: Set<String> = emptySet() // texts that are read back to the same literals
+    private var readable: Set<String> = emptySet() // texts that were found to be read back as the same literals
     private val program = beginning()
     private val leftOut = HashSet<String>()
     private val writer = StateWriter(file, name, platform, log, ::close)
@@ -67,10 +67,10 @@ internal class Resuming(
         arch.pausing.follow { if (it.phase == PausePhase.PAUSED) keepWhile(it) }
     }
 
-    /** Returns what the program begins with. The events of these beliefs are not included. */
+    /** Returns the initial beliefs and goals of the program. Of the events, only those of goals are included. */
     private fun beginning(): Mind = Mind.of(arch.ts, ::write) {}.run { copy(events = events.filter { it.startsWith("!") }) }
 
-    /** Lets the agent, which has not begun, go on from the state in the file, if there is one. */
+    /** Lets the agent go on from the state in the file, if there is one. Called before the agent's first cycle. */
     fun begin(order: (Order, (Outcome) -> Unit) -> Unit) {
         val state = read()
         isResumed = state == null
@@ -138,20 +138,20 @@ internal class Resuming(
         if (isStopped) ending.withLock { keep() }
     }
 
-    /** Has the state kept soon, since the agent has carried out an order, which a person takes for kept. Called by the agent's thread. */
+    /** Keeps the state soon: a person expects that the effect of an order is kept. Called by the agent's thread after an order. */
     fun ordered() {
         isDue = !keepStanding()
     }
 
-    /** Keeps the state of the agent while it is [standing], since the times in it change. */
+    /** Keeps the state again and again during the pause [standing], since times in the state change. */
     private fun keepWhile(standing: PauseState) {
         if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
     }
 
-    /** If the agent is paused between two cycles, lets its thread make the state; else returns false. */
+    /** If the agent is paused between two cycles, lets its thread make the state and returns true; else returns false. */
     private fun keepStanding(): Boolean = !platform.standsStill && arch.pausing.look(::keep)
 
-    /** Makes the agent's state and hands it to the writer; nothing may change the agent meanwhile. */
+    /** Makes the agent's state and gives it to the writer. Nothing may change the agent meanwhile. */
     private fun keep() {
         if (isLastMade) return
         madeNanos = platform.clock.nanos()
@@ -171,7 +171,7 @@ internal class Resuming(
         )
     }
 
-    /** Keeps the last state: after the present cycle, or at once; if the agent is paused, its own thread makes the state. */
+    /** Keeps the last state at once, or after the present cycle. If the agent is paused within a cycle, its own thread makes the state. */
     override fun close() {
         ending.withLock {
             if (isStopped) return
@@ -189,8 +189,8 @@ internal class Resuming(
         private const val RESUMED = "resumed("
 
         /**
-         * Takes the file named by the option's [value] for the agent of [arch]; null: the agent cannot have the file. [log] then has the
-         * reason, and the agent runs without the file.
+         * Reserves the file that [value], the option's value, names for the agent of [arch]. If the agent cannot have the file, returns
+         * null, tells [log] the reason, and the agent runs without the file.
          */
         fun open(arch: Arch, value: String, platform: Platform, log: Logger): Resuming? {
             fun refuse(why: String) =

@@ -6,8 +6,8 @@ import jason.architecture.AgArch
 import java.util.logging.Logger
 
 /**
- * Stands for [arch] in an agent that Java's serialization writes, since ports and threads belong to a program. When the agent that was read
- * from there begins its first cycle, a new architecture of the same class takes its place in front; it has no ports yet.
+ * Replaces [arch] in an agent that Java's serialization writes, since ports and threads cannot be written. When an agent is read back and
+ * begins its first cycle, a new architecture of the same class, without ports, is put in front of this one.
  */
 internal class SavedArch(arch: Arch) : AgArch(), Transparent {
     private val type = arch.javaClass

@@ -5,9 +5,9 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 
 /**
- * The internal action `argo.explain(Percept, Why)`: unifies Why with a text: whether the active filter drops Percept, and by which rule.
- * The filter is that of the board in the namespace of Percept. The action may be used in the context of a plan, and by agents without
- * [Arch].
+ * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that says whether the active filter drops Percept, and by which
+ * rule. The namespace of Percept selects the board whose filter is asked. The action may be used in the context of a plan, and by agents
+ * without [Arch].
  *
  * Fails the plan with `error(wrong_arguments)`.
  */

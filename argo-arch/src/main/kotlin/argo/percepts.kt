@@ -4,7 +4,7 @@ import argo.calls.ArgumentException
 
 /**
  * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`, stops
- * perceiving. At the start perceiving is blocked. Beliefs stay while perceiving is blocked.
+ * perceiving. When an agent starts, perceiving is blocked. While it is blocked, beliefs stay.
  *
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
  */

@@ -3,8 +3,8 @@ package argo
 import jason.asSyntax.StringTerm
 
 /**
- * The internal action `argo.record(Why)`: keeps the events that led to this call. With `argo_record="last(Minutes)"` in the `.mas2j` the
- * last minutes are written to a file, `recording-….mcap`; with `argo_record="FILE"` the place in the file is marked with Why, a string or
+ * The internal action `argo.record(Why)`: keeps the events that led to this call. With `argo_record="last(Minutes)"` in the `.mas2j`, it
+ * writes the last minutes to a file, `recording-….mcap`. With `argo_record="FILE"`, it marks this moment in the file with Why, a string or
  * any term. The agent does not wait for the disk.
  *
  * Fails the plan with `error(not_recording)` if the agent has no recording, `error(wrong_arguments)` or `error(not_argo)`.

@@ -8,10 +8,10 @@ import jason.asSyntax.Term
 
 /**
  * The internal action `argo.reload`: reads the agent's program and its active filters anew, while the agent runs. Plans and rules that have
- * changed are exchanged between two reasoning cycles; the others stay, as do plans that the agent has got at run time. Intentions finish
- * the plans that they have begun. No port is closed. The log tells what has changed, and which initial beliefs and goals are new;
- * `argo.reload([beliefs, goals])` also makes the agent believe and begin these. The log tells what the agent refuses, such as a goal
- * without a plan. New beliefs and goals that are not taken, or are refused, are reported again at the next reload.
+ * changed are exchanged between two reasoning cycles; the others stay, and so do plans that were added at run time. Intentions finish the
+ * plans that they have begun. No port is closed. The log tells what has changed, and which initial beliefs and goals are new.
+ * `argo.reload([beliefs, goals])` also adds these beliefs and begins these goals. The log tells which of them the agent refuses, such as a
+ * goal without a plan. New beliefs and goals that are not added, or are refused, are reported again at the next reload.
  *
  * The intention waits until the program is exchanged; files are read outside of the agent's thread.
  *

@@ -8,17 +8,17 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The critical rules that one board itself watches. Sends the board the rules that the agent wants and the board can watch, in their order,
- * until the board is full. Rules that the board already holds are not sent again. Safe for use by several threads.
+ * The critical rules that one board itself watches. The board is sent those rules of the agent that it can watch, in their order, until it
+ * is full. Rules that it already holds are not sent again. Safe for use by several threads.
  *
- * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So after a change both board and
- * computer may carry a reflex out, but they never both miss a percept.
+ * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So around a change, both the board
+ * and the computer may carry out a reflex, but at least one of them watches.
  *
- * If the board restarts, a waiting command may go out in the board's next session. So each session except the first begins with a removal
- * of all rules, which follows such late commands.
+ * If the board restarts, a command that still waits may reach the board in its next session. So in each session except the first, all rules
+ * are removed first: the removal follows such late commands.
  *
  * @param wanted returns the critical rules that the agent wants to be watched now; called under this object's lock, by any thread
- * @param submit queues a command to the board, and calls its last argument once with the outcome, on any thread; called outside of the lock
+ * @param submit queues a command to the board, and calls `outcome` once, on any thread, when the outcome is known; called without the lock
  */
 internal class BoardRules(
     private val wanted: () -> List<CriticalRule>,
@@ -28,12 +28,12 @@ internal class BoardRules(
         var isAcknowledged = false
     }
 
-    /** A command to the board: sets the rule [set]; null: removes rules. */
+    /** A command to the board: it sets the rule [set] or, if that is null, removes rules. */
     private class Message(val change: CommandItem.Rule, val set: Held? = null)
 
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
-    private val numbered = HashMap<Int, CriticalRule>() // each rule of this session by its number, removed rules too
+    private val numbered = HashMap<Int, CriticalRule>() // the rules of this session by number, with removed ones
     private val refused = HashSet<CriticalRule>()
     private var wishes: List<CriticalRule> = emptyList()
     private var room = 0
@@ -44,7 +44,7 @@ internal class BoardRules(
 
     val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
 
-    /** Notes that a session has begun: the board holds no rule, and has room for [room] rules. */
+    /** Notes that a session has begun, in which the board holds no rule yet and has room for [room] rules. */
     fun began(room: Int) = changing {
         this.room = room
         held.clear()
@@ -55,13 +55,13 @@ internal class BoardRules(
         adjust()
     }
 
-    /** Sends the board the rules that have changed, since the agent may want other rules now. */
+    /** Sends the changes to the board if the agent now wants other rules. */
     fun renew() = changing { if (room > 0) adjust() }
 
     /** Returns true if the board watches [rule]. */
     fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
 
-    /** Returns the rule that has or had the [number] in this session; null: none. */
+    /** Returns the rule that has, or had, [number] in this session; null: there is none. */
     fun ruleOf(number: Int): CriticalRule? = lock.withLock { numbered[number] }
 
     /** Returns true if the agent wants the board to watch [rule], and the board may be watching it. */
@@ -72,7 +72,7 @@ internal class BoardRules(
         while (true) submit(nextToSend() ?: return)
     }
 
-    /** Returns the message that this thread has to send; null: there is none, or another thread is sending. So messages go out in order. */
+    /** Returns the message that this thread must send; null: there is none, or another thread is sending. So messages are sent in order. */
     private fun nextToSend(): Message? = lock.withLock {
         if (isSending) return null
         unsent.removeFirstOrNull()?.also {
@@ -116,8 +116,8 @@ internal class BoardRules(
     }
 
     /**
-     * Takes the outcome of [entry]. The computer goes on watching a rule that is not acknowledged. The board may watch the rule too, unless
-     * it has refused the rule.
+     * Handles the outcome of sending [entry]. If the board has not acknowledged the rule, the computer goes on watching it. The board may
+     * watch it too, unless it has refused the rule.
      */
     private fun ended(entry: Held, failure: Failure?) = changing {
         if (held[entry.rule] === entry) {

@@ -9,9 +9,9 @@ import jason.asSyntax.Term
 /**
  * The options of a command: the second argument of `argo.act`.
  *
- * @property timeoutMs ms from the call after which the outcome is known in any case; null: no limit
- * @property urgent whether the command goes before waiting commands that are not urgent
- * @property latest whether it replaces waiting commands of the same functor
+ * @property timeoutMs the time limit for the outcome, in ms from the call; null: no limit
+ * @property urgent whether the command overtakes waiting commands that are not urgent
+ * @property latest whether the command replaces waiting commands with the same functor
  * @property port the port of the command's board; null: the options name none
  * @property answer the term with which the board's answer must unify; null: no answer is asked for
  */

@@ -18,11 +18,11 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread starts with the first
- * command, and writes commands until the link is closed. If the thread ends for another reason, the port is lost. Safe for use by several
- * threads.
+ * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. The first command starts a
+ * thread, which writes commands until the link is closed. If the thread ends for another reason, the port counts as lost. Safe for use by
+ * several threads.
  *
- * @param lost called, perhaps repeatedly and by any thread, if the port turns out to be gone; must not wait
+ * @param lost called if the port is found to be gone, perhaps repeatedly, by any thread; must not wait
  */
 internal class CommandSender(
     private val link: BoardLink,
@@ -32,7 +32,7 @@ internal class CommandSender(
 ) {
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
-    /** Queues [text], see [BoardLink.send]; writes it at once if the line is free. */
+    /** Queues [text], see [BoardLink.send]. If the line is free, it is written at once. */
     fun send(text: String, options: CommandOptions): Transmission =
         transmission("\"$text\"", link.send(text, options.forLink()), options.answer != null)
 
@@ -68,7 +68,7 @@ internal class CommandSender(
         ended(missing("\"$text\"", answer), answer?.text)
     } catch (trouble: PortException) {
         ended(failed(trouble))
-    } catch (unforeseen: Throwable) { // whatever a transport throws
+    } catch (unforeseen: Throwable) { // a transport may throw anything
         ended(failed(unforeseen))
     }
 
@@ -83,10 +83,10 @@ internal class CommandSender(
         try {
             link.writeCommandsUntilClosed()
         } catch (_: PortGoneException) {
-            // nothing is left to do here: the waiting commands have failed
+            // the waiting commands have failed already
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // when the port is opened anew, another thread starts; without a thread no command goes out
+        } catch (unforeseen: Throwable) { // a new opening of the port starts a new thread; without one no command is sent
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

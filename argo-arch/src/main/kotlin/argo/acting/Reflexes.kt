@@ -18,15 +18,15 @@ import kotlin.concurrent.withLock
 
 /**
  * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads. If the computer watches a rule, it
- * sends the reflex when the rule begins to be met. It sends the reflex again with each further message that meets the rule, until the
- * command has gone out or, in version 2, the board has acted or refuses. After that it sends the reflex only when the rule ceases to be met
- * and begins to be met again. If the board watches a rule, the board carries the reflex out and reports that. A report can be lost, and a
- * board can read a strange percept differently. So if a second message meets the rule without a report, the computer sends the reflex.
- * @param send sends a command to the board on a port ahead of all waiting commands; calls its last argument once with the outcome, on any
+ * sends the reflex at the first message that meets the rule. If that fails, the next message that meets the rule sends the reflex again,
+ * until the command is sent or, in version 2, the board has acted or refused. After that, a message must fail to meet the rule before the
+ * reflex is sent again. If the board watches a rule, the board carries out the reflex and reports it. A report can be lost, and a board can
+ * read a strange percept differently. So if a second message meets the rule and there is no report, the computer sends the reflex.
+ * @param send sends a command to the board on a port, ahead of all waiting commands; calls its last argument once with the outcome, on any
  * thread
- * @param isBoards returns whether the board on a port watches a rule
- * @param ended takes each outcome: null, or the reason of a failure; on any thread
- * @param warning takes the failures of reflexes
+ * @param isBoards returns true if the board on a port watches a rule
+ * @param ended called with each outcome: null, or the reason of a failure; by any thread
+ * @param warning logs the failures of reflexes
  */
 internal class Reflexes(
     private val send: (OpenPort, String, (Failure?) -> Unit) -> Unit,
@@ -36,7 +36,7 @@ internal class Reflexes(
 ) {
     private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
-    /** One reflex while its rule is met. */
+    /** The state of one reflex while its rule is met. */
     private class Run {
         var phase = Phase.BEGUN
 
@@ -50,8 +50,8 @@ internal class Reflexes(
     private var believedVersion = 0L
 
     /**
-     * Notes that [met] are exactly the rules that the newest percepts of the board on [port] meet.
-     * @param isMessage true: the percepts are a message, which may meet a rule before the board's report; false: they are a report
+     * Notes that the newest percepts of the board on [port] meet the rules in [met], and no others.
+     * @param isMessage whether the percepts come from a message, which may arrive before the board's report, or from a report
      */
     fun perceived(port: OpenPort, met: Collection<CriticalRule>, isMessage: Boolean = true) {
         val due = lock.withLock {
@@ -62,7 +62,7 @@ internal class Reflexes(
         due.forEach { (rule, run) -> start(port, rule, run) }
     }
 
-    /** Takes a board's report that [rule] has begun to be met, with the outcome of its reflex. */
+    /** Handles a board's report that [rule] is now met, with the outcome of the rule's reflex. */
     fun reported(rule: CriticalRule, outcome: ReflexOutcome) {
         if (rule.reflex == null || outcome == ReflexOutcome.NONE) return
         val isDone = outcome == ReflexOutcome.CARRIED_OUT
@@ -73,7 +73,7 @@ internal class Reflexes(
     /** Forgets which rules are met, since they were met at another time or by another board. */
     fun forget() = keepOnly(emptyList())
 
-    /** Watches only [rules] from now on. Watched rules that are met now stay met. */
+    /** Watches only [rules] from now on. Those that are met already still count as met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {
@@ -89,7 +89,7 @@ internal class Reflexes(
         runs.mapNotNull { (rule, run) -> run.isDone?.let { belief(rule, it) } }.distinct()
     }
 
-    /** Returns true if the command of [run] is due now. Its rule is met. */
+    /** Returns true if the computer must send the reflex of [run] now. The rule is met. */
     private fun isDue(run: Run, isMessage: Boolean, isBoards: Boolean): Boolean {
         val isDue = when (run.phase) {
             Phase.BEGUN, Phase.FAILED -> !isBoards
@@ -138,7 +138,7 @@ internal class Reflexes(
         private fun belief(rule: CriticalRule, isDone: Boolean): Literal =
             ASSyntax.createLiteral(FUNCTOR, commandOf(rule.reflex.orEmpty()), ASSyntax.createAtom(if (isDone) DONE else FAILED))
 
-        /** Returns the command as a literal, or as a string if it is none. */
+        /** Returns the command as a literal; if it is no literal, as a string. */
         private fun commandOf(text: String): Term = try {
             PerceptReader.read(text).takeIf { it.isGround && it.isLiteral && it !is InternalActionLiteral } ?: ASSyntax.createString(text)
         } catch (_: PerceptSyntaxException) {

@@ -34,13 +34,12 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The ports of one agent, the boards on them, and the agent's wishes to the boards: whether it perceives them, how often, and through which
- * filter.
+ * The ports of one agent, the boards on them, and the agent's wishes: whether it perceives the boards, how often, and through which filter.
  *
  * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change, waiting threads are woken to read the
  * wishes again. Any thread may call the functions unless they say otherwise.
  *
- * @property maxPercepts the most percepts of a board that the agent believes at once
+ * @property maxPercepts the largest number of percepts of a board that the agent believes at once
  * @param queues the agent's events and intentions
  */
 internal class AgentBoards(
@@ -53,28 +52,28 @@ internal class AgentBoards(
     private val queues: ReasoningQueues,
     private val observing: () -> Observers,
 ) {
-    /** The boards that the agent perceives, and former ones that it still has beliefs about. Immutable. */
+    /** The boards that the agent perceives, and former boards about which it still has beliefs. Immutable. */
     private class Perceived(val boards: List<Board>, val former: List<Board>)
 
     @Volatile
     var isPerceiving = false
         private set
 
-    /** The sensing interval in ms of boards without an interval of their own. */
+    /** The sensing interval in ms of all boards that have no interval of their own. */
     @Volatile
     var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
-    /** The filter of boards without a filter of their own; null: everything is kept. */
+    /** The filter of all boards that have no filter of their own; null: every percept passes. */
     @Volatile
     var filter: PerceptionFilter? = null
         private set
 
-    /** The published coupling. Null: the boards are sensed and the commands written by other threads than the agent's. */
+    /** The published coupling of cycles and lines; null: separate threads sense the boards and write commands. */
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that the agent has perceived since its ports were last closed. Changes only together with the ports in use. */
+    /** All boards that the agent has perceived since its ports were last closed. Changed only when the ports in use change. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
@@ -84,7 +83,7 @@ internal class AgentBoards(
     var areOthers = false
         private set
 
-    /** True if a board has or had its own namespace. */
+    /** True if any board has, or had, a namespace other than the default one. */
     @Volatile
     var hasNamespaces = false
         private set
@@ -99,14 +98,14 @@ internal class AgentBoards(
 
     val ready = SimultaneousSnapshots(platform, { perceived.get().boards }, waker::wake)
 
-    /** True if boards watch critical rules themselves as far as they can, and messages go out at the pace of the line. */
+    /** True if boards watch those critical rules that they can watch, and messages are written at the pace of the line. */
     val leavesRulesToBoards get() = inCycle == null
 
     val observers: Observers get() = observing()
 
     val current: List<Board> get() = perceived.get().boards
 
-    /** The boards that the agent has beliefs about. */
+    /** The boards about which the agent has beliefs. */
     val believed: List<Board> get() = perceived.get().run { boards + former }
 
     val areSeveral get() = current.size > 1
@@ -116,21 +115,21 @@ internal class AgentBoards(
     /** Returns the board on [port], if the agent perceives it now. */
     fun boardOn(port: OpenPort): Board? = if (isPerceiving) inUseOn(port) else null
 
-    /** Returns the board on [port], if that is in use. */
+    /** Returns the board on [port], if that port is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board that the agent calls [port], perceived now or before; null: none. */
+    /** Returns the board, perceived now or before, that the agent calls [port]; null: there is none. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
-    /** Returns the perceived boards with [percept]. */
+    /** Returns the perceived boards that may have sent [percept]. */
     fun of(percept: Literal): List<Board> = current.let { boards ->
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
 
-    /** Returns the open port that the agent calls [port], or the lost port of a perceived board; null: none. */
+    /** Returns the port that the agent calls [port], if it is open or belongs to a perceived board; null: there is none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
-    /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
+    /** Returns true if the board on [port], an [OpenPort], answers: the port is on and not stale. */
     fun answers(port: Any): Boolean =
         port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && inUseOn(port)?.let { port.terms.any(it::isStale) } != true
 
@@ -163,21 +162,21 @@ internal class AgentBoards(
         return claiming.isEmpty() || board in claiming
     }
 
-    /** Makes a warning in the agent's log that is not repeated while its cause lasts. */
+    /** Returns a new warning for the agent's log, which is not repeated while its cause lasts. */
     fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
 
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Starts or stops perceiving. After a stop no reflex is sent; a board carries out its own reflexes until its rules are removed. */
+    /** Starts or stops perceiving. After a stop the computer sends no reflexes; a board carries out its own until its rules are removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
         current.forEach(Board::beginAnew)
         renewLines()
-        dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
+        dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before its next perception
     }
 
-    /** Sets the sensing interval in ms of [board], or of all boards if that is null; 0: as fast as the line allows. */
+    /** Sets the sensing interval of [board] in ms; if [board] is null, that of all boards. 0: as fast as the line allows. */
     fun senseEvery(intervalMs: Int, board: Board? = null) {
         if (board != null) {
             board.ownIntervalMs = intervalMs
@@ -188,24 +187,24 @@ internal class AgentBoards(
         renewLines()
     }
 
-    /** Perceives all boards through [filter] from the next perception on; null: everything. Belongs to the agent's thread. */
+    /** Uses [filter] for all boards from the next perception on; null: no filter. Called by the agent's thread. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         this.filter = filter
         boards.forEach(Board::perceiveAsOthers)
         renewLines()
     }
 
-    /** Perceives only [board] through [filter] from the next perception on; null: everything. Belongs to the agent's thread. */
+    /** Uses [filter] only for [board], from the next perception on; null: no filter. Called by the agent's thread. */
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
         renewLines()
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Makes each line read the agent's wishes anew. */
+    /** Makes the threads of each line read the agent's wishes again. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
-    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last perception. */
+    /** Begins a perception of the agent, on its thread. Returns true if the perceived boards may have changed since the last perception. */
     fun perceiving(): Boolean {
         val wereOthers = areOthers
         areOthers = false
@@ -218,10 +217,10 @@ internal class AgentBoards(
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
 
-    /** Returns the time in ms until there is something to perceive even without news from a board; null: there will be nothing. */
+    /** Returns the ms until the agent has something to perceive even without news from a board; null: it will have nothing. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Sends [text] on [port]; no snapshot waits for this command. The caller must [follow][Transmission.follow] it. */
+    /** Sends [text] on [port]. No snapshot waits for this command. The caller must [follow][Transmission.follow] the result. */
     fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
         val issued = observers.commandIssued(port.link.port, text)
         val commands = lines[port]?.commands
@@ -241,8 +240,8 @@ internal class AgentBoards(
     }
 
     /**
-     * Notes that the agent begins or ceases to stand. After a stand it perceives only the newest snapshots, no earlier ones. Agent's
-     * thread.
+     * Notes that a pause of the agent begins or ends. After a pause, the agent perceives only the newest snapshot of each board. Called by
+     * its thread.
      */
     fun stands(isStanding: Boolean) {
         this.isStanding = isStanding
@@ -267,7 +266,7 @@ internal class AgentBoards(
             lines[port]?.sensing?.start()
         }
 
-        /** Perceives the boards on the ports in use. Boards perceived before are undisturbed unless their ports are opened anew. */
+        /** Perceives the boards on the ports in use. Boards perceived before are not disturbed, unless their ports were opened anew. */
         override fun portInUseChanged() {
             val before = current
             val renewed = LinkedHashSet<Board>()
@@ -295,12 +294,12 @@ internal class AgentBoards(
             if (it.namespace != null) hasNamespaces = true
             boards -= setOfNotNull(known)
             boards += it
-            it.renewFilter() // the agent may have changed its filter meanwhile
+            it.renewFilter() // the agent may have changed its filter in the meantime
         }
     }
 
     companion object {
-        /** The sensing interval in ms, until `argo.limit` sets another. */
+        /** The sensing interval in ms, until `argo.limit` sets another one. */
         const val DEFAULT_INTERVAL_MS = 50
     }
 }

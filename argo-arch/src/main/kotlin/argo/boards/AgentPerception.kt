@@ -11,8 +11,8 @@ import jason.bb.BeliefBase
 import java.util.concurrent.TimeUnit
 
 /**
- * An agent's perception of its [boards]: the beliefs about them, with their ages, and the filters' decisions. Functions belong to the
- * agent's thread unless they say otherwise.
+ * An agent's perception of its [boards]: the beliefs about the boards, the ages of these beliefs, and the decisions of filters. For the
+ * agent's thread only, unless a function says otherwise.
  */
 internal class AgentPerception(private val boards: AgentBoards) {
     private val platform = boards.platform
@@ -37,11 +37,11 @@ internal class AgentPerception(private val boards: AgentBoards) {
     fun beliefs(): List<Literal> =
         boards.believed.flatMap { it.sensed } + boards.states.beliefs() + boards.current.flatMap(Board::metaBeliefs)
 
-    /** Returns true if [update] has something to do now. Any thread. */
+    /** Returns true if a call of [update] would take in news. Any thread. */
     fun hasNews(): Boolean =
         boards.areOthers || boards.states.hasNews() || boards.current.any(Board::hasNews) || boards.ready.areThere()
 
-    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null: none. */
+    /** Of the percepts in [beliefs] that unify with [percept] under [un], returns the youngest and its age in ms; null: none unifies. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
         val now = platform.clock.nanos()
         return boards.believed.mapNotNull { it.youngest(beliefs, percept, un, now) }.minByOrNull { (_, seen) -> now - seen }
@@ -49,8 +49,8 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the ms between the oldest and the newest reading of its boards that the agent believes; null: it believes none. Boards that
-     * are off, time out or are stale do not count. Any thread.
+     * Returns the ms between the oldest and the newest reading that the agent believes now; null: it believes none. Boards that are off,
+     * have not answered in time or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
         val readings = boards.current.filter { boards.answers(it.port) }.mapNotNull { it.sensedNanos }
@@ -59,14 +59,14 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return TimeUnit.NANOSECONDS.toMillis(offsets.max() - offsets.min())
     }
 
-    /** Explains why the filters of the boards in the namespace of [percept] keep or drop it. Any thread. */
+    /** Explains why filters keep or drop [percept]. Only filters of boards in the namespace of [percept] count. Any thread. */
     fun explain(percept: Literal): String {
         val (own, unnamed) = boards.current.partition { it.namespace != null && it.namespace == percept.ns.functor }
         return if (own.isEmpty()) explain(perceptText(percept), unnamed.filter { it.namespace == null })
         else explain(perceptText(percept.cloneNS(Literal.DefaultNS) as Literal), own)
     }
 
-    /** Explains why the filters of [from] keep or drop [percept], and which side watches the deciding critical rule. Any thread. */
+    /** Explains why the filters of [from] keep or drop [percept]. Names the side that watches a deciding critical rule. Any thread. */
     fun explain(percept: String, from: List<Board> = boards.current): String {
         val reasons = from.map { it.term to it.explain(percept) }
         val different = reasons.distinctBy { (_, why) -> why }

@@ -33,11 +33,11 @@ import kotlin.concurrent.withLock
 
 /**
  * A board that an agent perceives or has perceived: the beliefs about it, its snapshots, its filter and its interval. All of these stay
- * when the device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
+ * when the device vanishes and returns. For the agent's thread only, unless a function says otherwise.
  *
  * @property term the agent's name for the port
  * @param port the line to the board
- * @param former the board whose filter and interval this board takes over; null: the agent's filter and interval apply
+ * @param former the board whose own filter and interval this board inherits; null: the agent's filter and interval apply
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
     /** The board's own filter; if [filter] is null, every percept passes. */
@@ -47,7 +47,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     val namespace: String? = port.options.namespace
     private val space: Atom? = namespace?.let(ASSyntax::createAtom)
 
-    /** The line to the board; while the device is gone, a closed line. Any thread may read. */
+    /** The port of the board; while the device is gone, a closed port. Any thread may read. */
     @Volatile
     var port: OpenPort = port
         private set
@@ -57,10 +57,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** The board's percepts that the agent believes. Any thread may read. */
     override val sensed: List<Literal> get() = believed.get().percepts
 
-    /** The arrival time of the readings in [sensed], by the platform's clock; null: there are none. Any thread may read. */
+    /** The time at which the percepts in [sensed] arrived, by the platform's clock; null: there are none. Any thread may read. */
     val sensedNanos: Long? get() = believed.get().nanos
 
-    /** The board's own sensing interval in ms; null: it has the agent's. Any thread. */
+    /** The board's own sensing interval in ms; null: the agent's interval applies. Any thread. */
     @Volatile
     var ownIntervalMs: Int? = former?.ownIntervalMs
 
@@ -70,18 +70,18 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
-    /** True if the board has a filter of its own, which may be none. Any thread may read. */
+    /** True if a filter, or `none`, was chosen for this board only. Any thread may read. */
     val hasOwnFilter: Boolean get() = ownFilter != null
 
-    /** The board's filter; null: everything is kept. Any thread may read. */
+    /** The filter that applies to the board; null: every percept passes. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
     val answer = ExpectedAnswer()
 
-    /** The commands that the board's snapshots wait for. */
+    /** The commands for which the board's snapshots wait. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
-    private val choosing = ReentrantLock() // held from the choice of a filter until it is in force
+    private val choosing = ReentrantLock() // held from the choice of a filter until its use
     private val stale = StaleBeliefs(agent.platform.nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
     private val reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
     private val percepts = BoardPercepts(
@@ -89,7 +89,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         handOver, reflexes, agent.log, agent.platform.clock,
     )
 
-    /** The actions that the board has registered, the newest of each name; null: they are not known. Any thread. */
+    /** The actions that the board has registered, for each name the last one; null: they are not known. Any thread. */
     val actions: List<BoardAction>?
         get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
@@ -107,34 +107,34 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     override fun filtered(snapshot: Snapshot) = agent.observers.each { it.messageFiltered(snapshot) }
 
-    /** Prepares for perception through [port]. Call this on any thread, before the board is perceived. */
+    /** Prepares the board to be perceived through [port]. Called by any thread, before the board is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
         this.port = port
         if (!isBelieved) believed.updateAndGet { it.then(emptyList(), null) }
         stale.renew()
     }
 
-    /** Takes [port] as the line when the device has come back. Beliefs about the board keep their age. Any thread. */
+    /** Uses [port] from now on, since the device has returned. Beliefs about the board keep their age. Any thread. */
     fun reconnect(port: OpenPort) {
         this.port = port
     }
 
-    /** Forgets sensed percepts that were not perceived, since they are of another time or another board. Any thread. */
+    /** Forgets percepts that the agent has not perceived yet, since they belong to an earlier time or to another board. Any thread. */
     fun forget() = percepts.forget()
 
-    /** Begins the wait for messages anew and forgets unperceived percepts: the agent begins or stops perceiving. */
+    /** The agent begins or stops perceiving: forgets percepts that it has not perceived, and restarts the time until the board is stale. */
     fun beginAnew() {
         stale.renew()
         forget()
     }
 
-    /** Perceives this board through its own [filter]; null: everything is kept. */
+    /** Uses [filter] only for this board; null: no filter. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         ownFilter = OwnFilter(filter)
         renewFilter()
     }
 
-    /** Perceives this board through the agent's filter for all boards. */
+    /** Uses the agent's filter for all boards, in place of a filter for this board only. */
     fun perceiveAsOthers() {
         ownFilter = null
         renewFilter()
@@ -143,7 +143,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** Applies the board's changed filter from the next perception on. Any thread. */
     fun renewFilter() = choosing.withLock { percepts.switchTo(filter) }
 
-    /** Explains why the filter keeps or drops [percept]. Names the side that watches the deciding critical rule. Any thread. */
+    /** Explains why the filter keeps or drops [percept]. If a critical rule decides, names the side that watches it. Any thread. */
     fun explain(percept: String): String {
         val explanation = percepts.explain(percept)
         val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
@@ -154,13 +154,13 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun criticalRules(): List<WatchedRule> =
         critical.map { WatchedRule(it, if (agent.isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER) }
 
-    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and the time when it was seen; null: none. */
+    /** Of the percepts in [beliefs] that unify with [percept] under [un], returns the youngest and when it was seen; null: none unifies. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
         percepts.lastSeen.youngest(beliefs, percept, un, nowNanos)
 
     /**
-     * Takes a message, see [BoardPercepts.received]; the next request to the board goes out at [nextNanos]. Called by the sensing thread of
-     * [port].
+     * Handles a message, see [BoardPercepts.received]. The next request to the board goes out at [nextNanos]. Called by the sensing thread
+     * of [port].
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
@@ -174,12 +174,12 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     }
 
     /**
-     * Returns true if waking the agent now were in vain, since it would wait for other boards' answers. The last of these answers wakes the
-     * agent.
+     * Returns true if the agent need not be woken now, since the new snapshot waits for other boards' answers. The last of these answers
+     * wakes it.
      */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
-    /** Takes a percept that the board has reported. See [BoardPercepts.reported], also for the result. Any thread. */
+    /** Handles a percept that the board has reported. For the parameters and the result see [BoardPercepts.reported]. Any thread. */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean =
         percepts.reported(port, rule, outcome, percept, receivedNanos).also { if (it) agent.wake { !handOver.isReady() } }
 
@@ -188,10 +188,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     fun isReady(): Boolean = handOver.isReady()
 
-    /** Returns true if a ready snapshot waits for no other board. Any thread. */
+    /** Returns true if a snapshot is ready and need not wait for other boards. Any thread. */
     fun isUrgent(): Boolean = handOver.isUrgent()
 
-    /** Perceives next the newest snapshot: see [HandOver.catchUp]. */
+    /** Makes the newest snapshot the next one to be perceived: see [HandOver.catchUp]. */
     fun catchUp(): Int = handOver.catchUp()
 
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
@@ -199,7 +199,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     }
 
     /**
-     * Returns true if [percept] is one of this board's, or was one before the last snapshot. [isAlone]: no other board has this namespace.
+     * Returns true if [percept] is in this board's namespace, and the board is the only one there ([isAlone]) or has, or had, this percept.
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
@@ -209,13 +209,13 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** Returns the ms until the agent has something to perceive here even without news from the board; null: it will have nothing. */
+    /** Returns the ms until the agent has something to perceive of this board even without news from it; null: it will have nothing. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
     }
 
-    /** Returns true if there is something to perceive now other than a snapshot. Any thread. */
+    /** Returns true if the agent has something to perceive of this board now, besides snapshots. Any thread. */
     fun hasNews(): Boolean = stale.hasNews() || reflexes.hasNews() ||
         agent.perceives(this) && percepts.dueInMs() == 0L
 

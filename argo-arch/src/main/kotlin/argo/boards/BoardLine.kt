@@ -18,7 +18,7 @@ import javino.link.BoardListener
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** The users of one open port: sensing, commands, and rules on the board. All of them run even if the agent does not perceive the board. */
+/** The users of one open port: sensing, commands, and rules on the board. All three work even if the agent does not perceive the board. */
 internal class BoardLine(private val port: OpenPort, private val agent: AgentBoards, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
@@ -26,7 +26,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     val described = DescribedPercepts(port) { agent.log.warning(it) }
 
-    private val warning = agent.rateLimitedWarning() // about reports that are left out, one kind of warning for each rule
+    private val warning = agent.rateLimitedWarning() // about reports that are left out; each rule is a kind
 
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
@@ -75,7 +75,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         if (!isTaken) tellLeftOut(critical, outcome, percept)
     }
 
-    /** Logs that a report is left out: the agent no longer wants the report, and the board does not know that yet. */
+    /** Logs that a report is left out: the agent no longer wants it, which the board does not know yet. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
         warning.report(of) {

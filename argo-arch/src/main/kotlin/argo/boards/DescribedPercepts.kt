@@ -6,11 +6,11 @@ import javino.PortException
 import javino.PortInterruptedException
 
 /**
- * The kinds of percepts that the board on [port] describes. After the first call of [get], the board is asked once in each session, between
- * two requests. So the board of an agent that nobody watches is not asked. Sensing waits for the answer. So a board without a quick answer
- * is not asked again while the port is open.
+ * The kinds of percepts that the board on [port] describes. If nobody calls [get], since nobody watches the agent, the board is not asked.
+ * After the first call, it is asked once in each session, between two requests for percepts. Since sensing waits for the answer, a board
+ * that has not answered quickly is not asked again while the port is open.
  *
- * @param warn takes the reason why a board's kinds are not known, at most once
+ * @param warn called at most once, with the reason why the board's kinds are not known
  */
 internal class DescribedPercepts(private val port: OpenPort, private val warn: (String) -> Unit) {
     @Volatile
@@ -22,7 +22,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
     @Volatile
     private var kinds = emptyList<PerceptKind>()
 
-    private var isGivenUp = false // used by the sensing thread
+    private var isGivenUp = false // only for the sensing thread
 
     /** Returns the kinds; empty: they are not known yet, or the board describes none. Any thread. */
     fun get(): List<PerceptKind> {
@@ -35,7 +35,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
         isAsked = false
     }
 
-    /** Asks the board, if that is wanted and was not done in this session. Called by the sensing thread. */
+    /** Asks the board, if [get] has been called and the board was not asked in this session. Called by the sensing thread. */
     fun askIfWanted() {
         if (!isWanted || isAsked || isGivenUp || !port.link.isPaced) return
         isAsked = true
@@ -50,7 +50,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
     }
 
     private companion object {
-        /** Ms that sensing waits for a description: less than the usual time until a board is believed silent. */
+        /** The ms for which sensing waits for a description: less than the default time limit for an answer. */
         const val LIMIT_MS = 300
     }
 }

@@ -7,19 +7,19 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady] in their boards' hand-overs. A
- * snapshot waits up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
- * are perceived together. [take] belongs to the agent's thread; any thread may ask.
+ * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady]. A ready snapshot waits up to
+ * [MAX_NANOS] for boards whose answers are [near][ExpectedAnswer.isNear], so that readings of several boards at one instant are perceived
+ * together. Only the agent's thread may call [take].
  *
  * @param boards returns the boards that the agent perceives
- * @param wake wakes the agent until its argument returns true; called when a snapshot has waited too long
+ * @param wake wakes the agent until `seen` returns true; called when a snapshot has waited too long
  */
 internal class SimultaneousSnapshots(
     private val platform: Platform,
     private val boards: () -> List<Board>,
     private val wake: (seen: () -> Boolean) -> Unit,
 ) {
-    /** A wait for the answers of [boards]. Each answer removes its own board, so no answer is compared with all boards. */
+    /** A wait for the answers of [boards]. Each answer removes its board here, so no answer need look at all boards. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
@@ -30,13 +30,13 @@ internal class SimultaneousSnapshots(
         fun lasts(nowNanos: Long) = awaited.isNotEmpty() && nowNanos - beganNanos < MAX_NANOS
     }
 
-    /** Null: no snapshot waits. */
+    /** The present wait; null: no snapshot waits. */
     private val wait = AtomicReference<Wait?>()
 
     /** Returns true if [take] would return a snapshot. */
     fun areThere(): Boolean = boards().let { boards -> boards.any(Board::isReady) && !areAwaiting(boards) }
 
-    /** Takes the snapshots to perceive now. */
+    /** Removes and returns the snapshots that the agent perceives now. */
     fun take(): List<Snapshot> {
         val boards = boards()
         if (areAwaiting(boards)) return emptyList()
@@ -49,7 +49,7 @@ internal class SimultaneousSnapshots(
         wait.get()?.leave(board)
     }
 
-    /** Returns true if the newly ready snapshot of [board] has to wait for other boards. If it waits too long, the agent is woken. */
+    /** Returns true if the snapshot of [board], now ready, must wait for other boards. If it waits too long, the agent is woken. */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
     /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first true result begins the wait. */
@@ -61,13 +61,13 @@ internal class SimultaneousSnapshots(
         return (wait.get() ?: begin(boards, now))?.lasts(now) == true
     }
 
-    /** Begins a wait; null: there is no board to wait for. If an answer does not come, a timer wakes the agent. */
+    /** Begins a wait and returns it; null: no answer is near. If an awaited answer does not come, a timer wakes the agent. */
     private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
         val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // the answers came before other threads could see the wait
+        awaited.filter(Board::isReady).forEach(begun::leave) // these answers came before other threads could see the wait
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }

@@ -10,69 +10,66 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here once in a cycle, and stays the
- * same within the cycle. [Live] hands inputs on. A recorder also notes them. In a replay, recorded inputs replace the live ones. The
+ * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes the boundary once in a cycle, and stays
+ * the same within the cycle. [Live] passes inputs on. A recorder also notes them. In a replay, recorded inputs replace the live ones. The
  * agent's thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
  */
 interface Boundary {
-    /**
-     * Begins a reasoning cycle of the agent of [ts]. Completes the work that ended outside of the agent's thread, such as [suspended]
-     * calls.
-     */
+    /** Begins a reasoning cycle of the agent of [ts]. Completes work that has ended on other threads, such as [suspended] calls. */
     fun cycleStarting(ts: TransitionSystem)
 
     /**
-     * Passes the orders to the agent to [carryOut] in this cycle, in their order. [live] returns the orders that have come. Called just
-     * after [cycleStarting].
+     * Calls [carryOut] with each order to the agent in this cycle, in sequence. [live] returns the orders that have come. Called just after
+     * [cycleStarting].
      */
     fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit)
 
     /** Returns the agent's perception in this cycle; [live] returns the perception of its boards and its environment. */
     fun perceive(live: () -> Perception): Perception
 
-    /** Returns the percepts that meet critical rules and are new in this cycle; their events come first. */
+    /** Returns the percepts that meet critical rules and are new in this cycle. The agent handles their events first. */
     fun newlyCritical(live: () -> List<Literal>): List<Literal>
 
-    /** Returns the port of the board with [percept], whose event waits in the agent's queue; null: no board has it. */
+    /** Returns the port of the board that has sent [percept], whose event waits in the agent's queue; null: no board has sent it. */
     fun boardOf(percept: Literal, live: () -> String?): String?
 
-    /** Takes the agent's mail; [live] adds the messages that have come to its mailbox. */
+    /** Fills the agent's mailbox in this cycle; [live] adds the messages that have come. */
     fun takeMail(live: () -> Unit)
 
     /** Returns the result of [call], which [live] carries out: see [jason.asSemantics.InternalAction.execute]. */
     fun call(call: InternalCall, live: () -> Any): Any
 
     /**
-     * Returns the callback for an intention that waits for something outside. Any thread may call the callback, once, when the wait is
-     * over. The agent's thread then calls [complete], at once or in a later cycle: with null or the reason of a failure, and with the text
-     * of the answer from outside, or null.
+     * Returns the callback for an intention that waits for work on another thread. Any thread may call the callback, once, when the work
+     * has ended. The agent's thread then calls [complete], at once or in a later cycle: with the failure, or null, and with the text of a
+     * robot's answer, or null.
      */
     fun suspended(complete: (failure: CommandFailure?, answer: String?) -> Unit): (failure: CommandFailure?, answer: String?) -> Unit
 
-    /** Sends [message]; [live] hands it to the infrastructure. */
+    /** Sends [message]; [live] gives the message to the infrastructure. */
     fun send(message: Message, live: () -> Unit)
 
-    /** Sends [message] to all other agents; [live] hands it to the infrastructure. */
+    /** Sends [message] to all other agents; [live] gives the message to the infrastructure. */
     fun broadcast(message: Message, live: () -> Unit)
 
-    /** Carries [action] out. Calls [live] with [action] or a replacement; [live] hands it to the environment. */
+    /** Carries out [action]. Calls [live] with [action] or a replacement; [live] gives its argument to the environment. */
     fun act(action: ActionExec, live: (ActionExec) -> Unit)
 
-    /** Returns true if the agent may sleep. Other threads call this too, and outside of cycles. */
+    /** Returns true if the agent may sleep. Other threads call this function too, also between cycles. */
     fun canSleep(live: () -> Boolean): Boolean
 
-    /** Notes that Jason may just have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
+    /** Notes that Jason may just have applied a rule of its cycle. Other threads call this function too, also between cycles. */
     fun ruleApplied()
 
     /**
-     * Returns true if the agent carries out no intention in this cycle, since it must pause first; [live] returns the same without a
-     * replay. Called between two rules of the cycle.
+     * Returns true if the agent must not carry out an intention in this cycle, since it must pause first. In a replay, the result of [live]
+     * is not used. Called between two rules of the cycle.
      */
     fun isHeld(live: () -> Boolean): Boolean
 
     /**
-     * Returns the result of [ask], a person's question to the agent; the question leaves no trace in the agent's cycles. Also called
-     * between cycles.
+     * Returns the result of [ask], a person's question to the agent. The question does not affect the agent's cycles. Also called between
+     * cycles.
      */
     fun <T> asking(ask: () -> T): T
 
@@ -84,8 +81,8 @@ interface Boundary {
  * The perception of an agent in one cycle.
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
- * @property waiting the number of events in the agent's queue before those of [percepts], if events of several boards take turns; else null
- * @property hasNamespaces whether a percept of the agent has or had its own namespace
+ * @property waiting the number of events in the agent's queue before the events of [percepts] are added; null: events need not take turns
+ * @property hasNamespaces whether any percept of the agent has, or had, a namespace other than the default one
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
 
@@ -93,15 +90,15 @@ class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = 
  * A call of an internal action.
  *
  * @property name the action as the agent writes it, such as `argo.act`
- * @property args the call's arguments, as Jason prepares them
+ * @property args the call's arguments, as Jason has prepared them
  * @property un the unifier in which the call may bind the variables of [args]
- * @property suspend suspends the intention, as a successful call does; null: the call suspends none
+ * @property suspend suspends the intention, as a successful call does; null: the call does not suspend the intention
  */
 class InternalCall(val name: String, val args: Array<Term>, val un: Unifier, val suspend: (() -> Unit)? = null) {
     override fun toString() = "$name(${args.joinToString(",")})"
 }
 
-/** Passes all inputs on at once. */
+/** Passes each input on at once, unchanged. */
 internal object Live : Boundary {
     override fun cycleStarting(ts: TransitionSystem) = Unit
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = live().forEach(carryOut)

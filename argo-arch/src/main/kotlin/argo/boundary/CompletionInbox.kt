@@ -3,21 +3,21 @@ package argo.boundary
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
- * A queue for the ends of work that an agent has started outside of its thread. The ends wait here, in order, for the agent's next cycle.
- * @param wake wakes the agent until its argument returns true: the agent has seen the end
+ * A queue from other threads to an agent: of orders, requests, or ends of work. Its entries wait, in order, for the agent's next cycle.
+ * @param wake wakes the agent until `seen` returns true: the agent has taken the entry
  */
 class CompletionInbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {
     private val waiting = ConcurrentLinkedQueue<T>()
 
-    /** Returns true if nothing waits. Any thread. */
+    /** Returns true if no entry waits. Any thread may call. */
     fun isEmpty(): Boolean = waiting.isEmpty()
 
-    /** Keeps [end] for the agent and wakes it. Any thread; never waits. */
+    /** Adds the entry [end] and wakes the agent. Any thread may call; never waits. */
     fun put(end: T) {
         waiting += end
         wake { end !in waiting }
     }
 
-    /** Takes out all waiting ends. Called by the agent's thread. */
+    /** Removes and returns all entries. Called by the agent's thread. */
     fun takeAll(): List<T> = generateSequence(waiting::poll).toList()
 }

@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Detects cycles of recorded agents that overlap, with each other or with the reading of a program. In such cycles nobody knows which agent
- * drew which number from Jason's counters. Any thread may call.
+ * Detects whether a cycle of a recorded agent overlaps with another cycle or with the reading of a program. Then nobody knows which agent
+ * got which number from Jason's counters. Any thread may call.
  */
 object Overlaps {
     private val open = AtomicInteger()

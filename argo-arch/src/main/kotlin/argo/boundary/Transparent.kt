@@ -1,7 +1,7 @@
 package argo.boundary
 
 /**
- * An architecture that passes every input of its agent on unchanged. Agents that have only such architectures besides `argo.Arch` can be
- * recorded.
+ * An architecture that passes on every input of its agent unchanged. An agent can be recorded if all its architectures are transparent,
+ * except `argo.Arch`.
  */
 interface Transparent

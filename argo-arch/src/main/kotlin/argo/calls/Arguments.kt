@@ -5,12 +5,12 @@ import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** An argument that an internal action cannot use; [message] names the argument and the expectation. */
+/** An internal action cannot use an argument; [message] names the argument, and says what is expected. */
 internal class ArgumentException(message: String) : Exception(message)
 
 /**
- * Returns the options in [list]. Throws [ArgumentException] with [example] if [list] is no proper list: a program may pass a variable, or a
- * list with an open end.
+ * Returns the options in [list]. If [list] is no proper list, such as a variable or a list with an open end, throws [ArgumentException],
+ * whose message contains [example].
  */
 internal fun optionsIn(list: Term, example: String): List<Term> =
     (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
@@ -22,7 +22,7 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
  * @param example a correct list, for the message
  * @param known the known options, for the message
  * @param with applies an option; null: the option is unknown
- * @throws ArgumentException like [optionsIn], or if options cannot be used; the message names all unusable options
+ * @throws ArgumentException like [optionsIn], or if any option cannot be used; the message names all unusable options
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
     val wrong = ArrayList<String>()
@@ -47,7 +47,7 @@ internal fun <T : Any> withOptions(start: T, list: Term, example: String, known:
 internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
 
-/** Returns [term] as a whole number; null: it is none. */
+/** Returns [term] as a whole number; null: it is no whole number. */
 internal fun wholeNumber(term: Term): Int? {
     val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
     return value.toInt().takeIf { it.toDouble() == value }

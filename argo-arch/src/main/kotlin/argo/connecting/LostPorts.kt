@@ -9,11 +9,11 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports of one agent whose devices have gone. Each device has its own searching thread, so a silent host delays no other search. Safe
- * for use by several threads.
+ * The lost ports of one agent: their devices have gone. Each port has its own searching thread, so a host that does not answer delays no
+ * other search. Safe for use by several threads.
  *
- * @param reopen opens a port whose device is present, and removes it from these lost ports
- * @param warn takes the reasons why ports with returned devices cannot be opened, each reason once; also takes the ports that are given up
+ * @param reopen opens a port whose device is present, and removes the port from the lost ports
+ * @param warn receives warnings: a returned device cannot be opened (once for each kind of reason), or a port is given up
  */
 internal class LostPorts(
     private val owner: String,
@@ -34,7 +34,7 @@ internal class LostPorts(
         ports.forEach { closing.merge(it.port, setOf(it.name), Set<String>::plus) }
     }
 
-    /** Removes the entries for [term] that belong to a port other than [port]. */
+    /** Removes the lost ports that the agent calls [term], except [port]. */
     fun removeOthers(term: Term, port: OpenPort) {
         lock.withLock { lost.removeAll { it.term == term && it.port !== port } }
     }
@@ -45,7 +45,7 @@ internal class LostPorts(
         givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
     }
 
-    /** Forgets all lost ports. Ports that are being closed are still closed. */
+    /** Forgets all lost ports. Those that are not closed yet are still closed later. */
     fun clear() = lock.withLock { lost.clear() }
 
     /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]. Returns when the device is free. */
@@ -86,8 +86,7 @@ internal class LostPorts(
 }
 
 /**
- * Does [work] and returns the exception that it throws, if any. The exception must end neither a plan that waits for its port nor the
- * search for a lost port.
+ * Does [work] and returns the exception that it throws, or null. So no exception can end the thread that opens ports or searches for one.
  */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()

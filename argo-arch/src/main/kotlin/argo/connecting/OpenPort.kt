@@ -9,7 +9,7 @@ import java.util.concurrent.ConcurrentHashMap
  *
  * @param names the agent's terms for the port, each with the name that the transport opens
  * @property link the line to the board
- * @property openedNanos the time at which it was opened, by the platform's clock
+ * @property openedNanos the time at which the port was opened, by the platform's clock
  * @property losses how many times in a row the port was lost soon after its opening
  * @param use makes the port's user, which is closed with the port
  */
@@ -45,7 +45,7 @@ internal class OpenPort(
         options = options.copy(namespace = namespace)
     }
 
-    /** Closes the link, then its user. Takes as long as the transport takes. Idempotent; any thread. */
+    /** Closes the link, then its user. Waits for the transport. Idempotent; any thread may call. */
     fun close() {
         link.close()
         user.close()
@@ -54,15 +54,15 @@ internal class OpenPort(
 
 /** The user of an agent's ports. */
 internal interface PortUser {
-    /** Makes the user of [port]. The user starts nothing before [opened], and is closed with the port. */
+    /** Makes the user of [port]. The user starts its work only at [opened], and is closed with the port. */
     fun use(port: OpenPort): AutoCloseable
 
     /** Notes that [port] is open and belongs to the agent. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
     /**
-     * Notes that the ports in use have changed: other ports are in use, or none, or the same devices were opened anew. Called by the
-     * changing thread.
+     * Notes that the ports in use have changed: other ports or no ports are in use, or the same devices were opened anew. Called by the
+     * thread that made the change.
      */
     fun portInUseChanged()
 }

@@ -6,8 +6,8 @@ import kotlin.concurrent.withLock
 
 /**
  * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]. One thread at a time opens a device. An
- * opening over a network may take seconds. So if the agent asks for a device, this interrupts an opening of the device that the agent did
- * not ask for. Safe for use by several threads.
+ * opening over a network may take seconds. So if the agent asks for a device that a search is opening, that opening is interrupted. Safe
+ * for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)
@@ -19,7 +19,7 @@ internal class PortOpenings(private val platform: Platform) {
         if (lock.withLock { underWay.putIfAbsent(device, Thread.currentThread()) } == null) doing(device, work)
     }
 
-    /** Does [work], which opens [device]. Interrupts another thread that is opening it. */
+    /** Does [work], which opens [device]. If another thread is opening the device, interrupts that thread first. */
     fun <T> atOnce(device: String, work: () -> T): T {
         lock.withLock {
             while (device in underWay) {
@@ -41,7 +41,7 @@ internal class PortOpenings(private val platform: Platform) {
                 underWay.remove(device)
                 changed.signalAll()
             }
-            Thread.interrupted() // the interrupt was only for this work
+            Thread.interrupted() // the interrupt was meant only for this work
         }
     }
 

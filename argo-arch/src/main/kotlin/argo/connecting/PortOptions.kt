@@ -13,9 +13,9 @@ import javino.link.LinkSettings
  * The options of a port: the second argument of `argo.port`.
  *
  * @property link the settings of the link
- * @property timeoutMs ms that an answer may take
- * @property listens whether the board speaks unasked; it is then only listened to
- * @property hasBaud whether the rate is set; if not, it is the usual rate of the port's kind, see [on]
+ * @property timeoutMs the time limit for an answer, in ms
+ * @property listens whether the board sends percepts without requests; if so, ARGO sends no requests
+ * @property hasBaud whether a baud rate is given; if not, [on] sets the usual rate of the port's kind
  * @property namespace the namespace of the board's percepts; null: the default namespace
  * @property staleMs ms without a message after which `stale(Port)` is believed; 0: never; null: the default
  */
@@ -28,7 +28,7 @@ internal data class PortOptions(
     val namespace: String? = null,
 ) {
     companion object {
-        /** The default time for an answer in ms, three times as long as twelve percepts take at 9600 baud. */
+        /** The default time limit for an answer in ms: three times the time that twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
         /** Reads a list such as `[baud(115200), timeout(500)]`. Throws [ArgumentException] if [term] is no list of known options. */
@@ -36,7 +36,7 @@ internal data class PortOptions(
     }
 
     /**
-     * Returns the link's settings. A line that is not [paced] uses version 1, as the published one did, unless the options ask for version
+     * Returns the link's settings. A link that is not [paced] uses version 1, as in the published ARGO, unless the options ask for version
      * 2.
      */
     fun linkSettings(paced: Boolean): LinkSettings {
@@ -44,7 +44,7 @@ internal data class PortOptions(
         return link.withPaced(paced).withProtocol(version)
     }
 
-    /** Returns these options for [port]. If no rate is set, they get the usual rate of the port's kind. */
+    /** Returns these options for [port]. If no baud rate is given, they get the usual rate of the port's kind. */
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 

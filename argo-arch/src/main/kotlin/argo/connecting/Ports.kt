@@ -18,13 +18,13 @@ import kotlin.concurrent.withLock
  *
  * Links stay open until [closeAll], since opening a port resets most boards. When the device of a lost port returns, the port is opened
  * again with its options; while the device is missing, every call on the port fails. Opening and closing may block. So a sequential
- * executor does them for the agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by
- * several threads.
+ * executor carries out the agent's requests; the ports of one request are opened at once. Each lost port has its own thread. Safe for use
+ * by several threads.
  *
- * @param owner the agent's name, for the message to a second agent on a port
+ * @param owner the agent's name, for the error of another agent that asks for the same port
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens ports, and schedules the search for lost ones
- * @param warn takes warnings that the states of ports do not show, such as why a returned device cannot be opened
+ * @param warn receives warnings that the states of ports do not show, such as why a returned device cannot be opened
  */
 internal class Ports(
     private val owner: String,
@@ -41,7 +41,7 @@ internal class Ports(
     private var opening = 0
     private var stopped = false
 
-    private val choosing = ReentrantLock() // held while the ports in use change
+    private val choosing = ReentrantLock() // held by a thread that changes the ports in use
     private val openings = PortOpenings(platform)
     private val opener = SequentialExecutor(platform, "argo-$owner-opening")
 
@@ -53,7 +53,7 @@ internal class Ports(
 
     private val choices = AtomicInteger()
 
-    /** The number of calls so far that choose or close ports. */
+    /** The number of calls so far that have chosen or closed ports. */
     val choicesSoFar: Int get() = choices.get()
 
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
@@ -63,19 +63,19 @@ internal class Ports(
      *
      * @param term the port as the agent calls it
      * @param options the options of the port; null: the options that the agent gave last
-     * @param outcome called once by another thread: with null, or with the reason why the port in use has not changed. Not called if the
-     * agent is being stopped
+     * @param outcome called once by another thread: with null, or with the reason why the port cannot be used. Not called if the agent is
+     * being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
     /**
-     * Puts the ports [wanted] in use, in their order; opens those that are closed, all at once. Each port is in use as soon as it is open.
-     * Other ports leave use when the first wanted port is in use. If a port in use is wanted but cannot be opened, it stays in use, and the
-     * search for it goes on.
+     * Puts the ports [wanted] in use, in their order. Opens the closed ones, all at the same time; each port is in use as soon as it is
+     * open. All other ports are no longer in use once the first wanted port is. If a port in use is wanted but cannot be opened, it stays
+     * in use, and the search for it goes on.
      *
-     * @param outcome called once by another thread when all are open or have failed: with null, or with the reason why some are not open.
-     * Not called if the agent is being stopped
+     * @param outcome called once by another thread when all are open or have failed: with null, or with the reason why some ports are not
+     * open. Not called if the agent is being stopped
      */
     fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
 
@@ -113,7 +113,7 @@ internal class Ports(
         )
     }
 
-    /** Opens [wanted] and puts it in use by calling [use], while [choosing] is held. Returns the reason if the port cannot be opened. */
+    /** Opens [wanted] and calls [use], with [choosing] held, to put it in use. Returns the reason if the port cannot be opened. */
     private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(wanted.name)
@@ -141,7 +141,7 @@ internal class Ports(
     }
 
     /**
-     * Opens a port with the options of [wanted] in place of [held]. If the port cannot be opened so, opens it again with the options of
+     * Opens the port of [held] anew, with the options [wanted]. If the port cannot be opened with them, opens it with the options of
      * [held].
      */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
@@ -186,7 +186,7 @@ internal class Ports(
         return port
     }
 
-    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up those that were lost earliest. */
+    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up the lost ports that were lost first. */
     private fun noteReturn(port: OpenPort, term: Term, name: String) {
         port.addName(term, name)
         lost.removeOthers(term, port)
@@ -194,19 +194,19 @@ internal class Ports(
         report(port, PortStatus.ON)
     }
 
-    /** Sets the state of [port] under each of its names. A given-up port has no state. */
+    /** Sets the state of [port] under each of its names. Does nothing for a port that the agent no longer holds. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
         port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
     /**
-     * Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port that is given up already.
+     * Notes that the device of [port] has gone, as [trouble] shows, and searches for the device. Does nothing if the loss is noted already.
      * Never waits for the driver: another thread closes the port.
      */
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
     /**
-     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews] returns false;
-     * calls it with the lock held.
+     * Closes [port] and searches for its device under each of the port's names. Does nothing if [isNews], called with the lock held,
+     * returns false.
      */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
@@ -219,7 +219,7 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] with its options, on its searching thread. The port may be open already under another name. */
+    /** Opens [found] with its options, on its searching thread. Its device may be open already, under another name. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {
@@ -279,7 +279,7 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports for good, including those that are being opened. If another agent asks for one of them, it waits until the port is
+     * Closes all ports for good, including those that are being opened. Another agent that asks for one of these ports waits until it is
      * closed. Idempotent.
      */
     fun stop() {
@@ -294,7 +294,7 @@ internal class Ports(
     }
 
     companion object {
-        /** The most ports of one agent: the paper names 127 boards. */
+        /** The largest number of ports of one agent: the paper names 127 boards. */
         const val MAX_PORTS = 127
     }
 }
@@ -303,7 +303,7 @@ internal class Ports(
  * A port that an agent asks for.
  *
  * @property term the port as the agent calls it
- * @property name the port in the form for the transport
+ * @property name the name by which the transport opens the port
  * @property options the port's options; null: the options that the agent gave last
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)

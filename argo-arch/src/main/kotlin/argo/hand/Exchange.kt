@@ -16,8 +16,8 @@ import jason.bb.ChainBBAdapter
 import java.util.IdentityHashMap
 
 /**
- * Exchanges the program of the agent, see [Order.Reload], for [program], which has been read from the order's files. The agent itself reads
- * only parts that have changed. Throws [OrderRefusedException]; the agent is then unchanged.
+ * Exchanges the agent's program for [program], which has been read from the files of [order]: see [Order.Reload]. The agent itself reads
+ * only parts that have changed. If it throws [OrderRefusedException], the agent is unchanged.
  */
 internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText): Outcome {
     val files = order.files.mapTo(HashSet(order.gone)) { it.address }
@@ -32,22 +32,22 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
     val now = plans.now(shortened.without, read)
     try {
         if (now != before) library.replaceBy(now)
-    } catch (refused: JasonException) { // such as a label that is taken by a plan added at run time
+    } catch (refused: JasonException) { // such as a label that a plan added at run time has already
         library.replaceBy(before)
         throw OrderRefusedException(refused.message.orEmpty())
     }
-    if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason adds it once
+    if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason keeps only one such listener
     val rules = ExchangedRules(ag.bb.inMemory, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
     return Outcome(null, listOf(plans.told()) + rules.exchange())
 }
 
 /**
- * The part of this belief base that is in memory and holds all rules. A database, as of `JDBCPersistentBB`, has beliefs of earlier runs,
- * may be large or out of reach, and lets nothing be removed while one looks at all of it.
+ * The part of this belief base that is in memory and holds all rules. A database, as in `JDBCPersistentBB`, is left out: it has beliefs of
+ * earlier runs, may be large or cannot be reached, and does not allow removals during an iteration.
  */
 internal val BeliefBase.inMemory: BeliefBase get() = (this as? ChainBBAdapter)?.lastBB ?: this
 
-/** Lets the agent read the program in [files]. Returns its plans, and its initial beliefs and rules. */
+/** Lets the agent read the program in [files]. Returns the program's plans, and its initial beliefs and rules. */
 private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan>, List<Literal>> {
     val beliefs = ArrayList<Literal>()
     val plans = Plans.readInto(ag) {
@@ -63,13 +63,13 @@ private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan
 }
 
 /**
- * Notes that the plans without a file stand in the program at [address]. Jason does not note an address for plans that its patterns make,
- * or it notes [source], the agent's `aslSrc`.
+ * Makes [address] the source file of plans that Jason's patterns have made. For these, Jason notes no file, or [source], the agent's
+ * `aslSrc`.
  */
 internal fun List<Plan>.fileless(address: String, source: String) =
     filter { it.sourceFile.isEmpty() || it.sourceFile == source }.forEach { it.sourceFile = address }
 
-/** Returns the rule that Jason makes of [belief]; null: it stays a belief. */
+/** Returns the rule that Jason makes of [belief]; null: Jason keeps it as a belief. */
 private fun ruleOf(belief: Literal): Rule? = when {
     belief is Rule -> belief
     belief.isGround -> null
@@ -77,11 +77,11 @@ private fun ruleOf(belief: Literal): Rule? = when {
 }?.apply { if (!hasSource()) addAnnot(BeliefBase.TSelf) }
 
 /**
- * The plans of an agent before and after its program is exchanged. Plans that are alike stay, with their labels.
+ * The plans of an agent before and after its program is exchanged. A plan that is alike in both programs stays, with its label.
  *
  * @param before all plans of the agent
  * @param drafted the plans of the new program
- * @param isOfProgram returns true for those plans in [before] that came from the program
+ * @param isOfProgram returns true for a plan in [before] that came from the program
  */
 private class ExchangedPlans(private val before: List<Plan>, private val drafted: List<Plan>, private val isOfProgram: (Plan) -> Boolean) {
     private val left = before.filter(isOfProgram).groupByTo(HashMap(), ::keyOf)
@@ -98,8 +98,8 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
     val kept: Set<Plan> get() = like.keys
 
     /**
-     * Returns all plans of the agent in their order; the plans of the program stand where its first plan stood. The agent has [read] anew
-     * all plans in [drafted] except those in [without].
+     * Returns all plans of the agent in their order. The program's plans are where its first plan was before. [read] are the plans that the
+     * agent has read anew: all plans in [drafted] except those in [without].
      */
     fun now(without: Set<Plan>, read: List<Plan>): List<Plan> {
         val others = read.iterator()
@@ -108,7 +108,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
         return first + program + before.drop(first.size).filterNot(isOfProgram)
     }
 
-    /** Returns the agent's plan that is like [plan], with the places of its steps taken from [plan]; null: there is none. */
+    /** Returns the agent's plan that is like [plan], and gives its steps the lines of the steps in [plan]; null: there is none. */
     private fun takeLike(plan: Plan): Plan? {
         val candidates = left[keyOf(plan)] ?: return null
         val found = candidates.indexOfFirst { it.sourceFile == plan.sourceFile && isLike(it, plan) }
@@ -124,7 +124,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
 
     private fun keyOf(plan: Plan): Any = plan.trigger.let { if (it.literal.isVar) it.type else it.predicateIndicator }
 
-    /** Returns a line for a person. */
+    /** Returns a line that tells a person how many plans have changed. */
     fun told(): String {
         val gone = left.values.sumOf { it.size }
         val changed = minOf(gone, isNew)
@@ -136,7 +136,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
     private fun plans(count: Int) = if (count == 1) "1 plan" else "$count plans"
 }
 
-/** The rules of a program in [beliefs], and the rules [read] from the program's new text. Rules of a predicate are exchanged together. */
+/** The rules of a program in [beliefs], and the rules [read] from its new text. All rules of a predicate are exchanged together. */
 private class ExchangedRules(private val beliefs: BeliefBase, private val read: List<Rule>, private val isOfProgram: (Rule) -> Boolean) {
     /** Exchanges the rules that differ. Returns a line for a person if any rules differ. */
     fun exchange(): List<String> {

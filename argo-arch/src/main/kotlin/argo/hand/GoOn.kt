@@ -9,7 +9,7 @@ import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 
-/** Goes on with the beliefs of an earlier run, see [Order.Resume]. */
+/** Carries out an [Order.Resume] with these [beliefs]. */
 internal fun TransitionSystem.resume(beliefs: List<String>): Outcome {
     val (new, known) = beliefs.partition { it.startsWith("+") }
     val told = ArrayList<String>()
@@ -18,11 +18,11 @@ internal fun TransitionSystem.resume(beliefs: List<String>): Outcome {
     return Outcome(null, told)
 }
 
-/** Begins again what an earlier run had begun, see [Order.BeginAnew]. */
+/** Carries out an [Order.BeginAnew] with these [events]. */
 internal fun TransitionSystem.beginAnew(events: List<String>): Outcome {
     val (fitting, others) = events.partition { !it.startsWith("!") || hasPlan(read(it.drop(1))) }
     fitting.forEach { beginAnew(this, it, read(it.drop(1))) }
     return Outcome(null, others.map { "$it is not begun anew: the agent has no plan for it" })
 }
 
-private fun read(text: String): Literal = PerceptReader.read(text).capply(Unifier()) as Literal // Jason solves its sums
+private fun read(text: String): Literal = PerceptReader.read(text).capply(Unifier()) as Literal // computes sums in it

@@ -9,9 +9,9 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Takes the orders of a person for one agent, and carries them out.
+ * Receives orders for one agent, from a person or from the agent's last run, and carries them out.
  *
- * @param wake wakes the agent until its argument returns true
+ * @param wake wakes the agent until `seen` returns true
  */
 internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit) {
     private class Given(val order: Order, val program: ProgramText?, val done: (Outcome) -> Unit)
@@ -19,19 +19,19 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
     private val given = CompletionInbox<Given>(wake)
     private val taken = ArrayDeque<Given>()
 
-    /** Returns true if no order waits. Any thread. */
+    /** Returns true if no order waits. Any thread may call. */
     fun isEmpty(): Boolean = given.isEmpty()
 
     /**
-     * Keeps [order] for the agent's next cycle. The agent's thread then calls [done] once. Any thread.
+     * Keeps [order] for the agent's next cycle. The agent's thread then calls [done] once. Any thread may call [give].
      * @param program the program that was read from the files of a reload; null: the agent's thread reads the files
      */
     fun give(order: Order, program: ProgramText? = null, done: (Outcome) -> Unit) = given.put(Given(order, program, done))
 
-    /** Takes the orders that wait, in their order. For the agent's thread, like [carryOut]. */
+    /** Removes and returns the orders that wait, in sequence. For the agent's thread, like [carryOut]. */
     fun takeAll(): List<Order> = given.takeAll().also { taken += it }.map { it.order }
 
-    /** Lets the agent of [ts] carry [order] out, and tells the outcome to the person who gave it; in a replay there is no such person. */
+    /** Lets the agent of [ts] carry out [order], and tells the outcome to the order's giver. In a replay, an order has no giver. */
     fun carryOut(order: Order, ts: TransitionSystem) {
         val given = taken.find { it.order === order }?.also(taken::remove)
         val outcome = attempt(order) { outcomeOf(order, given?.program, ts) }
@@ -48,14 +48,14 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
         is Order.BeginAnew -> ts.beginAnew(order.events)
     }
 
-    /** Does [work] for [order]; an exception of the work becomes the outcome, so the agent goes on. */
+    /** Does [work] for [order]. An exception of [work] becomes the outcome, so the agent goes on. */
     fun attempt(order: Order, work: () -> Outcome): Outcome = try {
         work()
     } catch (refused: OrderRefusedException) {
         Outcome(refused.message)
     } catch (refused: RevisionFailedException) {
         Outcome("the agent's own belief revision refuses it: ${refused.message}")
-    } catch (broken: Throwable) { // the project's own code may revise beliefs and keep them
+    } catch (broken: Throwable) { // the project's own belief revision or belief base may throw anything
         log.log(Level.WARNING, broken) { "the order $order failed" }
         Outcome("it failed, perhaps in the middle: $broken")
     }

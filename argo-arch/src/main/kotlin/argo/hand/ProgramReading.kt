@@ -18,11 +18,10 @@ import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
 /**
- * Lets the agent [into] read a program as Jason reads one at the agent's beginning, but with the included files that [find] returns. [find]
- * gets the name of a file and the address of the including file, which is empty for the program itself. For the agent's thread, or the only
- * thread of the agent.
+ * Lets the agent [into] read a program as Jason does when an agent starts, but with the included files that [find] returns. [find] gets the
+ * address of the including file, empty for the program itself, and the name of the included file. Only the thread of [into] may use it.
  *
- * @param around called around the reading of each part of a file: a plan, a belief, a goal or a directive
+ * @param around called for each part of a file (a plan, a belief, a goal or a directive); calls `read` to read the part
  */
 internal class ProgramReading(
     private val into: Agent,
@@ -88,7 +87,7 @@ internal data class Place(val line: Int, val column: Int) : Comparable<Place> {
     override fun compareTo(other: Place) = compareValuesBy(this, other, Place::line, Place::column)
 }
 
-/** The distance of the stops to which Jason's parser counts a tab. */
+/** The number of columns between two tab stops of Jason's parser. */
 private val TAB = as2jTokenManager(SimpleCharStream(StringReader("\ta"))).nextToken.beginColumn - 1
 
 /** Returns this text with the characters of [parts] replaced by blanks; the parts do not overlap. */
@@ -112,5 +111,5 @@ internal fun String.without(parts: List<ProgramPart>): String {
     return "$text"
 }
 
-/** The name of the file without its folder. */
+/** The name of the file, without the folder. */
 internal val ProgramFile.shortName: String get() = address.substringAfterLast('/').substringAfterLast('\\')

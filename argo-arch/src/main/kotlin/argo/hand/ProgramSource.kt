@@ -24,7 +24,7 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
          */
         fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
 
-        /** Returns Jason's name of the program at [address]: its URL, or the name of its file. */
+        /** Returns the name that Jason has for the program at [address]: its URL, or the name of its file. */
         fun nameOf(address: String): String = try {
             "${URL(address)}"
         } catch (_: MalformedURLException) {
@@ -32,8 +32,8 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
         }
 
         /**
-         * Reads the file that a program includes as [name], and finds the file as Jason does; null: there is no such file, and Jason goes
-         * on without it. [outer] is the address of the including file; null: the agent's program, at its beginning.
+         * Reads the file that a program includes as [name], and looks for it where Jason does; null: there is no such file, and Jason goes
+         * on without it. [outer] is the address of the including file; null: the agent's program includes the file, when the agent starts.
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)
@@ -44,7 +44,7 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
             }
         }
 
-        /** Returns the paths on this computer's disks at which [included] looks for the file. */
+        /** Returns the paths, on this computer's disks, at which [included] looks for the file. */
         internal fun placesOf(name: String, outer: String?, sourcePath: SourcePath): List<Path> =
             (listOf(name) + pathsOf(outer, sourcePath).paths.map { "$it/$name" }).mapNotNull(::pathOf).distinct()
 

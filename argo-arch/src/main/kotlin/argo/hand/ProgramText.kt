@@ -16,11 +16,11 @@ import java.util.Collections
 import java.util.IdentityHashMap
 
 /**
- * A program that Jason can read, and its parts. No agent runs it.
+ * A program that Jason has read, and its parts. No agent runs this program.
  *
  * @property files the program, followed by each file that it includes, in the order of their reading
  * @property paths the paths of the [files] that are on this computer's disks
- * @param draft the agent that has read it
+ * @param draft the agent that has read the program
  */
 internal class ProgramText private constructor(
     val files: List<ProgramFile>,
@@ -28,7 +28,7 @@ internal class ProgramText private constructor(
     draft: Agent,
     private val parts: List<Part>,
 ) {
-    /** A [part] of [file], with its [plans]. If [isOther], it also has or does something other than plans, such as a rule. */
+    /** A [part] of [file], with its [plans]. If [isOther], the part also contains something else, such as a rule, or affects Jason. */
     private class Part(val file: ProgramFile, val part: ProgramPart, val plans: List<Plan>, val isOther: Boolean)
 
     val plans: List<Plan> = Plans.of(draft).all.toList()
@@ -36,15 +36,14 @@ internal class ProgramText private constructor(
     /** The initial beliefs, without rules. */
     val beliefs: List<Literal> = draft.initialBels.filterNot(::isRule).map { it.capply(null) as Literal }
 
-    /** The initial goals. */
     val goals: List<Literal> = draft.initialGoals.toList()
 
     val addresses: Set<String> get() = files.mapTo(LinkedHashSet()) { it.address }
 
-    /** The [files] with blanks in place of some parts, and the plans of these parts. */
+    /** The [files] with blanks in place of some parts. [without] are the plans of these parts. */
     class Shortened(val files: List<ProgramFile>, val without: Set<Plan>)
 
-    /** Returns the program without the beliefs, the goals, and the parts that have only plans of [kept]. */
+    /** Returns the program without its beliefs, its goals, and the parts of which all plans are in [kept]. */
     fun without(kept: Set<Plan>): Shortened {
         val once = files.groupBy { it.within to it.name }.values.mapNotNull { it.singleOrNull() }
         val dropped = parts.filter { !it.isOther && it.plans.all(kept::contains) && once.any { file -> file === it.file } }
@@ -73,22 +72,22 @@ internal class ProgramText private constructor(
             val part = read()
             val own = Plans.of(agent).all.drop(plans)
             val added = agent.initialBels.drop(beliefs)
-            val isNothing = own.isEmpty() && added.isEmpty() && agent.initialGoals.size == goals // such as a function that it registers
+            val isNothing = own.isEmpty() && added.isEmpty() && agent.initialGoals.size == goals // such as a registered function
             parts += Part(file, part, own, isNothing || added.any(::isRule))
         }
     }
 
     companion object {
         /**
-         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes. Finds these files as Jason does. Any thread.
-         * @param looksAt called with each path on this computer's disks at which a file is read, or an included file is missing
-         * @throws OrderRefusedException if a file is missing, or if Jason cannot read or could not exchange it
+         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes. Looks for them where Jason does. Any thread.
+         * @param looksAt called with each path, on this computer's disks, at which a file is read or an included file is missing
+         * @throws OrderRefusedException if a file is missing, Jason cannot read it, or its parts could not be exchanged
          */
         fun read(address: String, looksAt: (Path) -> Unit): ProgramText {
             val sources = ArrayList<ProgramSource>()
             val files = ArrayList<ProgramFile>()
             fun add(within: String, name: String, called: String, source: ProgramSource) = ProgramFile(
-                within, name, called, String(source.bytes, Charset.defaultCharset()), // Jason reads programs so
+                within, name, called, String(source.bytes, Charset.defaultCharset()), // as Jason reads programs
             ).also {
                 sources += source
                 source.path?.let(looksAt)
@@ -104,7 +103,7 @@ internal class ProgramText private constructor(
             return ProgramText(files, sources.mapNotNull { it.path }, draft, parts).also { refuseLocalNames(it) }
         }
 
-        /** Reads the program in [files] again. Jason's counters stay as they are, so no other agent may run meanwhile. */
+        /** Reads the program in [files] again. Sets Jason's counters back afterwards, so no other agent may run meanwhile. */
         fun of(files: List<ProgramFile>): ProgramText {
             val counters = listOf(Insides.variableCounter, Insides.planCounter).map { it[null] }
             val before = counters.map { it.get() }

@@ -18,11 +18,11 @@ import java.nio.file.Path
 import java.util.ServiceConfigurationError
 
 /**
- * Reads the program of the agent of [ts] and its filters anew while it runs. Make it when Jason has read the program, before the agent's
- * first cycle. The calling thread reads files and tries programs; the agent exchanges the changed parts between two of its cycles.
+ * Reads the program and the filters of the agent of [ts] anew while the agent runs. Construct this object when Jason has read the program,
+ * before the agent's first cycle. The calling thread reads files; the agent exchanges the changed parts between two cycles.
  *
- * @param hand takes the orders to the agent
- * @param perceiveThrough lets the agent perceive all its boards and its environment through a filter
+ * @param hand gives orders to the agent
+ * @param perceiveThrough sets the filter for all the agent's boards and its environment
  */
 internal class Reloading(
     private val ts: TransitionSystem,
@@ -41,7 +41,7 @@ internal class Reloading(
     @Volatile
     private var paths: List<Path>? = null
 
-    /** The paths of the last reading, even if the program was refused. */
+    /** The paths that the last reading has read or missed, even if the program was refused. */
     @Volatile
     private var looked: List<Path> = emptyList()
 
@@ -58,10 +58,7 @@ internal class Reloading(
         )
     }
 
-    /**
-     * Returns the files on disk that [reload] reads; after a refusal, also the files that the refused reading has read or missed. Empty:
-     * the program and its filters are not on a disk, or cannot be read.
-     */
+    /** Returns the files on disk that [reload] reads; after a refusal, also the files that the refused reading has read or missed. */
     fun sources(): List<Path> {
         val program = paths ?: try {
             read().paths.also { paths = it }
@@ -72,10 +69,10 @@ internal class Reloading(
     }
 
     /**
-     * Reads the program and the active filters, and lets the agent exchange the changed parts. Calls [done] once at the end: on the calling
-     * thread if the program cannot be read, else on the agent's thread.
+     * Reads the program and the active filters. The agent then exchanges the changed parts. [done] is called once at the end: on the
+     * calling thread if anything cannot be read, else on the agent's thread.
      *
-     * @param takes the parts of the program that the agent also believes or begins if they are new
+     * @param takes the kinds of literals, beliefs or goals, that the agent also adds if they are new in the program
      */
     fun reload(takes: Set<Offer>, done: (Outcome) -> Unit) {
         val lost = ArrayList<String>()
@@ -91,7 +88,7 @@ internal class Reloading(
         }
     }
 
-    /** Does [reload] on a thread of its own. */
+    /** Calls [reload] on a new thread. */
     fun start(takes: Set<Offer>, done: (Outcome) -> Unit) {
         boards.platform.start("argo-${boards.owner}-reloading") { reload(takes, done) }
     }
@@ -111,7 +108,7 @@ internal class Reloading(
 
     private fun gone(filter: String) = "the filter $filter is not found any more; the agent keeps it as it was"
 
-    /** Reads the filter again that has the name of [filter]; null: it is no longer found. */
+    /** Reads the filter that has the name of [filter] again; null: it is no longer found. */
     private fun anew(filter: PerceptionFilter): PerceptionFilter? = try {
         filterOf(agent, filter.name)
     } catch (_: FilterNotFoundException) {
@@ -124,7 +121,7 @@ internal class Reloading(
         throw OrderRefusedException("the filter ${filter.name} cannot be read: $unreadable")
     }
 
-    /** Does the work that belongs to an exchange of the program, on the agent's thread. Returns lines for a person. */
+    /** Completes an exchange, on the agent's thread: exchanges filters, and adds or reports new literals. Returns the report. */
     private fun exchanged(program: ProgramText, filters: Map<PerceptionFilter, PerceptionFilter>, takes: Set<Offer>): List<String> {
         paths = program.paths
         val new = Offer.entries.associateWith { offer -> offer.of(program).filter { isNew(offer, it) } }
@@ -142,17 +139,17 @@ internal class Reloading(
     private fun exchangeFilters(filters: Map<PerceptionFilter, PerceptionFilter>): List<String> {
         if (filters.isEmpty()) return emptyList()
         val own = boards.current.filter { it.hasOwnFilter }.map { it to it.filter }
-        filters[boards.filter]?.let(perceiveThrough) // and each board, too
+        filters[boards.filter]?.let(perceiveThrough) // also sets the filter of each board
         own.forEach { (board, filter) -> boards.perceiveThrough(filters[filter] ?: filter, board) }
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Returns the report on [literals], which are new in the program. They stay new until the agent takes them. */
+    /** Returns the report on [literals], which are new in the program. They count as new until the agent adds them. */
     private fun offered(offer: Offer, literals: List<Literal>) =
         "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
             "(argo.reload([${offer.word}]) takes them)"
 
-    /** Lets the agent believe or begin [literals] in its next cycle. Literals that the agent refuses stay new. */
+    /** Lets the agent believe or begin [literals] in its next cycle. Literals that the agent refuses still count as new. */
     private fun take(offer: Offer, literals: List<Literal>): String {
         literals.forEach { literal ->
             hand.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
@@ -170,17 +167,17 @@ internal class Reloading(
     private fun shown(literal: Literal): String = "${literal.copy().apply { delSources() }}"
 
     private companion object {
-        const val KQML_FILE = "kqmlPlans.asl" // PlanLibrary.KQML_PLANS_FILE, a class that Jason 3.3.0 has elsewhere
+        const val KQML_FILE = "kqmlPlans.asl" // PlanLibrary.KQML_PLANS_FILE; Jason 3.3.0 has this class in another package
     }
 }
 
 /**
- * A part of a program that Jason gives an agent only at its beginning. A reload offers new ones.
+ * The kinds of literals that an agent normally gets from its program only when it starts. At a reload, it can also add new ones.
  *
- * @property word the word for it in the option of `argo.reload`
- * @property taken what the agent has done with such a part, in a word for a person
- * @property of returns it
- * @property order makes the order by which an agent takes a literal of this kind
+ * @property word the word for this kind in the argument of `argo.reload`
+ * @property taken a participle for messages: what the agent has done with such a literal
+ * @property of returns the literals of this kind in a program
+ * @property order makes the order by which an agent adds a literal of this kind
  */
 internal enum class Offer(val word: String, val taken: String, val of: (ProgramText) -> List<Literal>, val order: (String) -> Order) {
     BELIEFS("beliefs", "believed", ProgramText::beliefs, Order::Believe),

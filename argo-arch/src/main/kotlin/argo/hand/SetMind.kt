@@ -23,10 +23,10 @@ import java.io.StringReader
 private const val IN_PLACE = "-+"
 private const val PERCEPTS_ARE_SENSED = "a percept is believed as long as the agent perceives it"
 
-/** Adds the belief in [text], see [Order.Believe]. */
+/** Carries out an [Order.Believe] with the belief in [text]. */
 internal fun TransitionSystem.believe(text: String): Outcome {
     val takesPlace = text.trim().startsWith(IN_PLACE)
-    val belief = literal(text.trim().removePrefix(IN_PLACE).removePrefix("+"), "belief").capply(Unifier()) as Literal // solves sums
+    val belief = literal(text.trim().removePrefix(IN_PLACE).removePrefix("+"), "belief").capply(Unifier()) as Literal // computes sums
     if (belief.functor == "true" || belief.functor == "false") refuse("$belief is a word of AgentSpeak, which cannot be a belief's name")
     if (!belief.isGround) refuse("the belief $belief has a variable without a value")
     if (belief.hasSource(BeliefBase.APercept)) refuse("$PERCEPTS_ARE_SENSED; believe $text with another source, or with none")
@@ -34,13 +34,13 @@ internal fun TransitionSystem.believe(text: String): Outcome {
     return if (ag.addBel(belief)) Outcome(null) else Outcome(null, listOf("the agent believed $belief already"))
 }
 
-/** Does the first half of `-+belief`: forgets one belief that differs only in its arguments. */
+/** Removes one belief that differs from [belief] only in its arguments, like the first half of Jason's `-+belief`. */
 private fun TransitionSystem.forgetOthers(belief: Literal) {
     val any = belief.copy().apply { makeTermsAnnon() }
     ag.delBel(any)
 }
 
-/** Removes beliefs, see [Order.Forget]. */
+/** Carries out an [Order.Forget] with the pattern in [text]. */
 internal fun TransitionSystem.forget(text: String): Outcome {
     val pattern = literal(text.trim().removePrefix("-"), "belief")
     val found = ag.bb.getCandidateBeliefs(pattern, Unifier())?.asSequence().orEmpty()
@@ -53,10 +53,10 @@ internal fun TransitionSystem.forget(text: String): Outcome {
     return Outcome(null, if (lost.size > 1) listOf("the agent has forgotten ${lost.size} beliefs") else emptyList())
 }
 
-/** Keeps only those sources of this belief that [pattern] names. */
+/** Removes all sources of this belief that [pattern] does not name. */
 private fun Literal.onlyOf(pattern: Literal) = apply { sources.filterNot(pattern::hasSource).forEach(::delSource) }
 
-/** Begins a goal, see [Order.Begin]. */
+/** Carries out an [Order.Begin] with the goal in [text]. */
 internal fun TransitionSystem.begin(text: String): Outcome {
     val goal = goal(text)
     if (!hasPlan(goal)) refuse("the agent has no plan for +!${goal.functor}/${goal.arity}")
@@ -70,7 +70,7 @@ internal fun TransitionSystem.begin(text: String): Outcome {
 internal fun TransitionSystem.hasPlan(goal: Literal): Boolean =
     Plans.of(ag).hasCandidate(Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal))
 
-/** Drops a goal, see [Order.Drop]. */
+/** Carries out an [Order.Drop] with the goal in [text]. */
 internal fun TransitionSystem.drop(text: String): Outcome {
     val goal = goal(text)
     val before = c.sizes()
@@ -86,7 +86,7 @@ private fun Circumstance.sizes() = listOf(
 
 private fun TransitionSystem.goal(text: String): Literal = literal(text.trim().removePrefix("+").removePrefix("!"), "goal")
 
-/** Reads the literal [text]; [what] names it for a person. */
+/** Reads [text] as a literal; error messages call it a [what]. */
 private fun TransitionSystem.literal(text: String, what: String): Literal {
     val literal = try {
         parsed(text)
@@ -102,7 +102,7 @@ private fun TransitionSystem.literal(text: String, what: String): Literal {
     return literal.forceFullLiteralImpl()
 }
 
-/** Lets Jason read a literal of the agent, which may use the agent's own functions. */
+/** Lets Jason read [text] as a literal of the agent, which may contain the agent's own functions. */
 private fun TransitionSystem.parsed(text: String): Literal {
     val parser = as2j(StringReader(text))
     parser.setAg(ag)

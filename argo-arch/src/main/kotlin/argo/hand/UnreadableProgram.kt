@@ -3,7 +3,7 @@ package argo.hand
 import jason.asSyntax.parser.ParseException
 
 /**
- * Returns the place at which Jason cannot read a program, with the text there. The message of [unreadable] itself lists all tokens that
+ * Says at which place, and at which text, Jason cannot read a program. The message of [unreadable] is too long: it lists all tokens that
  * Jason would have accepted, some forty.
  */
 fun unreadableAt(unreadable: ParseException): String {

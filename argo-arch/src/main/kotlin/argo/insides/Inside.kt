@@ -3,8 +3,8 @@ package argo.insides
 import java.lang.reflect.Field
 
 /**
- * A private field of Jason's in objects of [owner]. Each known version of Jason has it under one of [names]. If another version has no such
- * field, [get] and [set] throw a [LinkageError] that names it.
+ * A private field in Jason's class [owner]. Each known version of Jason has the field under one of [names]. If another version has no such
+ * field, [get] and [set] throw a [LinkageError] with the field's name.
  */
 class Inside<T> internal constructor(private val owner: () -> Class<*>, private vararg val names: String) {
     private val member: Field by lazy {
@@ -33,7 +33,7 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
     }
 }
 
-/** Returns the member of Jason that [find] finds. If this version of Jason has none, throws a [LinkageError] with [name]. */
+/** Returns the member of Jason that [find] finds. If this version of Jason has no such member, throws a [LinkageError] with [name]. */
 internal fun <T> inside(name: String, find: () -> T): T = try {
     find()
 } catch (missing: ReflectiveOperationException) {

@@ -26,15 +26,15 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * All private members of Jason that ARGO uses, except those of `.wait`, which [WaitEvents] has. A member's comment says why no extension
- * point of Jason suffices. Only ARGO's own modules may use the members: another version of Jason may have others.
+ * point of Jason suffices. Only ARGO's own modules may use the members, since another version of Jason may have other members.
  */
 object Insides {
     private val found = ArrayList<Inside<*>>()
 
-    /** Jason lets others use the scheduler of `.wait` and `.at`, but not replace it. */
+    /** Jason publishes the scheduler of `.wait` and `.at`, but nobody can replace it. */
     val scheduler: Inside<ScheduledExecutorService> = of(Agent::class.java, "scheduler")
 
-    /** `setIA` sets one action of a known name, but a term made from a text may ask for any name. */
+    /** `setIA` sets one action under a known name, but a term that is read from a text may need an action of any name. */
     val actions: Inside<Map<String, InternalAction>> = of(Agent::class.java, "internalActions")
 
     /** `addFunction` refuses a name that exists already, such as `math.random`. */
@@ -43,30 +43,30 @@ object Insides {
     /** A term gets its function when it is made; there is no setter. */
     val functionOfTerm: Inside<ArithFunction?> = of(ArithFunctionTerm::class.java, "function")
 
-    /** `registerDirective` does not replace a used directive, and would make a new `include` without the source path. */
+    /** `registerDirective` does not replace a directive that has been used, and its new `include` would have no source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
-    /** `getDirective` logs an error for a name that is none. */
+    /** `getDirective` logs an error for a name that is no directive. */
     val directiveClasses: Inside<Map<String, Class<*>>> = of(DirectiveProcessor::class.java, "directives")
 
-    /** If another thread leaves work, `runAtBeginOfNextCycle` notifies nobody. */
+    /** `runAtBeginOfNextCycle` tells nobody that another thread has added work. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 
-    /** The cycles since the agent last perceived (`nrcbp`): Jason counts them without publishing the number. */
+    /** The number of cycles since the agent last perceived (`nrcbp`); Jason does not publish it. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** `insertAgArch` sets these, and puts an architecture into the agent at once; one in a serialized copy must leave the agent alone. */
+    /** `insertAgArch` sets these two fields, but also changes the agent. An architecture in a serialized copy must not change the agent. */
     val nextArch: Inside<AgArch?> = of(AgArch::class.java, "successor")
     val firstArch: Inside<AgArch> = of(AgArch::class.java, "firstArch")
 
     /** True if Jason has notified the agent that it falls asleep; no public member shows this. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    /** Jason tells nobody which of its rules comes next. */
+    /** Jason does not publish which rule of its cycle comes next. */
     val nextDeliberating: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepDeliberate")
     val nextActing: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepAct")
 
-    // Events and intentions of an agent whose replay begins in the middle of its life: Jason makes such objects only by reasoning
+    // For a replay that begins in the middle of a recording: Jason makes these events and intentions only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
@@ -77,7 +77,7 @@ object Insides {
     /** There is no setter. */
     val isAtomicSuspended: Inside<Boolean> = of(Circumstance::class.java, "atomicIntSuspended")
 
-    /** Jason counts these intentions, and shows only whether there are any. */
+    /** The number of intentions with a goal condition; Jason shows only whether there are any. */
     val goalConditions: Inside<Int> = of(Circumstance::class.java, "intentionsWithGoalCondition")
 
     /** There is no setter. */
@@ -92,7 +92,7 @@ object Insides {
     /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, and cannot set the capacity. */
     val percepts: Inside<Set<Literal>> = of(DefaultBeliefBase::class.java, "percepts")
 
-    /** Jason's counters, shared by all agents of a program: Jason neither shows nor sets their values. */
+    /** Jason's counters, which all agents of a program share. No public member reads or sets their values. */
     val intentionCounter: Inside<AtomicInteger> = of(Intention::class.java, "idCount")
     val messageCounter: Inside<AtomicInteger> = of(Message::class.java, "idCount")
     val planCounter: Inside<AtomicInteger> = of(Agent::class.java.getMethod("getPL").returnType, "lastPlanLabel")
@@ -106,7 +106,7 @@ object Insides {
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }
 
     /**
-     * Returns true if the agent of [ts] has deliberated, but has chosen no intention yet in this cycle. Only for the agent's thread,
+     * Returns true if the agent of [ts] has deliberated in this cycle, but has not chosen an intention yet. Only for the agent's thread,
      * between two rules of its cycle.
      */
     fun isBeforeIntention(ts: TransitionSystem): Boolean =

@@ -7,9 +7,9 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Handles the files that an agent includes, at its beginning, at run time or at a reload. */
+/** Handles the files that an agent includes when it starts, at run time or at a reload. */
 interface Includes {
-    /** Returns the content that [directive] includes into [outer]; null: none. [live] makes Jason find and read the file. */
+    /** Returns the content that [directive] includes into [outer]; null: there is none. [live] makes Jason find and read the file. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?
 
     /** Returns a new agent, which reads an included file. */
@@ -17,8 +17,8 @@ interface Includes {
 }
 
 /**
- * Replaces Jason's directive `include`, which the action `.include` calls too. Asks the calling thread's [current] handler; if there is
- * none, Jason's own directive does the work.
+ * Replaces Jason's directive `include`, which the action `.include` calls too. The calling thread's [current] handler does the work; if
+ * there is none, Jason's own directive does it.
  */
 class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
@@ -35,10 +35,7 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         private const val NAME = "include"
         private val CURRENT = ThreadLocal<Includes?>()
 
-        /**
-         * The handler of the files that the calling thread includes; null: Jason includes them
-         * itself.
-         */
+        /** Handles the files that the calling thread includes; null: Jason's own directive handles them. */
         var current: Includes?
             get() = CURRENT.get()
             set(includes) = if (includes == null) CURRENT.remove() else CURRENT.set(includes)
@@ -63,8 +60,8 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
-         * Returns the name that a recording has for the file from which [outer] is read. The name is empty for the agent's program and its
-         * blocks, `.` for the running agent [ag], and otherwise the address of the included file.
+         * Returns the name by which a recording calls the file from which [outer] is read: empty for the agent's program and its blocks,
+         * `.` for the running agent [ag], else the address of the included file.
          */
         fun placeOf(outer: Agent, ag: Agent?): String = when {
             outer.aslSrc == null -> ""

@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * The object by which Jason's `.wait` waits: a listener of the agent's circumstance, of a private class. If another version of Jason has no
- * such class or member, all members but [isThere] throw a [LinkageError].
+ * The object by which Jason's `.wait` waits. It listens to the agent's circumstance, and its class is private. If another version of Jason
+ * has no such class or member, only [isThere] works; all other members throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"
@@ -31,7 +31,7 @@ object WaitEvents {
     val formula: Inside<LogicalFormula?> = of("formula")
     val reason: Inside<Literal> = of("pendingReason")
 
-    /** The name under which the intention of the `.wait` is pending. */
+    /** The key of the suspended intention in Jason's map of pending intentions. */
     val key: Inside<String> = of("tEvt")
     val unifier: Inside<Unifier> = of("un")
     val intention: Inside<Intention> = of("si")
@@ -51,10 +51,10 @@ object WaitEvents {
         false
     }
 
-    /** Returns true if [listener] is a waiting `.wait`. */
+    /** Returns true if [listener] belongs to a `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
-    /** Makes a waiting `.wait` for the selected intention of [ts], which is suspended. A [timeout] from 0 ms on begins a timer. */
+    /** Makes the listener of a `.wait` and suspends the selected intention of [ts]. A [timeout] of 0 ms or more starts a timer. */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,
     ): CircumstanceListener = make.newInstance(wait(), trigger, formula, un, ts, timeout, elapsed) as CircumstanceListener

@@ -8,8 +8,8 @@ import java.nio.file.Path
 import java.util.WeakHashMap
 
 /**
- * Opens boards that are not on a line. [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
- * `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines have
+ * Opens boards that are not on a line. [java.util.ServiceLoader] finds the provider: its class has a public constructor without arguments,
+ * and is named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. For boards on lines see
  * [javino.TransportProvider].
  *
  * Any thread may call. Unlike a line, a board may be opened by several agents at once.
@@ -19,27 +19,27 @@ interface BoardLinkProvider {
     val scheme: String
 
     /**
-     * Returns true if [port] is the provider's, judged by its [scheme]. The scheme must not be a transport's, unless this function tells
-     * the two apart.
+     * Returns true if this provider opens [port]; by default, if [port] begins with [scheme]. If a transport has the same scheme, override
+     * this function so that it tells their ports apart.
      */
     fun opens(port: String): Boolean = port.startsWith("$scheme:")
 
     /**
-     * Opens the board that [port] names. Opening may take its time; an interrupt of the thread ends it.
+     * Opens the board that [port] names. Opening may take seconds; an interrupt of the thread ends it.
      *
      * @param isPaced see [BoardLink.isPaced]
      * @param clock the clock for messages and waits
-     * @throws PortException if the board cannot be opened; its class is the reason
+     * @throws PortException if the board cannot be opened; the exception's class says why
      */
     @Throws(PortException::class)
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
 
     /**
-     * Opens the board at [port], with a test in the board's place; null: no test can play boards of this scheme.
+     * Opens a board that a test plays in place of the board at [port]; null: no test can play boards of this scheme.
      *
-     * @param recording a file with the board's messages, which come at their times; null: only [PlayedBoard.says] sends messages
-     * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
-     * @throws PortException like [open], but never for a failed connection: no connection is made
+     * @param recording a file with recorded messages, which the board sends at their times; null: only [PlayedBoard.says] sends messages
+     * @param heard receives each message to the board, with its destination, such as the topic of a robot
+     * @throws PortException like [open], but never for a failed connection, since none is made
      */
     @Throws(PortException::class)
     fun play(
@@ -50,11 +50,11 @@ interface BoardLinkProvider {
         heard: (name: String, message: String) -> Unit,
     ): PlayedBoard? = null
 
-    /** Returns true if [open] is worth trying. Called repeatedly for a board that has gone, so it must be cheap. */
+    /** Returns true if [open] may succeed. Called repeatedly for a board that has gone, so this function must be cheap. */
     fun isPresent(port: String): Boolean = true
 
     companion object {
-        /** The providers by class loader. The references are soft, since a provider would keep its class loader alive. */
+        /** The providers by class loader. The references are soft, since a provider refers to its class loader and would keep it alive. */
         private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
 
         /** Returns the provider for [port]; null: the port is on a line, or of no known kind. */
@@ -69,7 +69,7 @@ interface BoardLinkProvider {
     }
 }
 
-/** A board that a test plays, with the agent's end of its [link]. */
+/** A board that a test plays. [link] is the agent's end of the connection. */
 abstract class PlayedBoard(val link: BoardLink) {
     /**
      * Sends [message] as the board, from its source [name], such as the topic of a robot.
@@ -78,6 +78,6 @@ abstract class PlayedBoard(val link: BoardLink) {
      */
     abstract fun says(name: String, message: String)
 
-    /** Ends the connection from the far end: afterwards [link] fails. */
+    /** Ends the connection from the board's side: afterwards calls on [link] fail. */
     abstract fun goes()
 }

@@ -12,7 +12,7 @@ import javino.PortGoneException
 import javino.PortPermissionException
 import javino.PortTimeoutException
 
-/** Returns the atom in `error(…)` for [trouble] with a port or a command; `port_failed` for an exception of any other kind. */
+/** Returns the atom in `error(…)` for [trouble] with a port or a command; for an exception of any other kind, `port_failed`. */
 fun errorOf(trouble: Throwable): String = when (trouble) {
     is NoSuchPortException -> "no_such_port"
     is PortBusyException -> "port_busy"

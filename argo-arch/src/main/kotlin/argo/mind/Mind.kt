@@ -13,11 +13,11 @@ import jason.asSyntax.Trigger.TEType
 import jason.bb.BeliefBase
 
 /**
- * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak, without percepts, rules and plans: these come from the
- * world and from the program.
+ * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak. Percepts, rules and plans are left out: they come from
+ * the world and from the program.
  *
- * @property events the events that have begun its intentions, and the events that wait: `!goal`, or `+belief` for a belief that is no
- * percept. Events of percepts are not included: they come anew with the percepts
+ * @property events the events that have begun the agent's intentions, and the events that wait: `!goal` or `+belief`. Events of percepts
+ * are left out: they come anew with the percepts
  */
 data class Mind(val beliefs: List<String>, val events: List<String>) {
     /** The mind as a program, with a belief or an event on each line: `watches(a,b)[source(self)].`, `!oversee.` */
@@ -27,8 +27,8 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
         /**
          * Returns the mind of the agent of [ts]. Called by its thread.
          *
-         * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason why there is none
-         * @param leftOut takes each belief or event that has no text of one line, with the reason
+         * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason if the literal has no text
+         * @param leftOut receives each belief or event that has no text of one line, with the reason
          */
         fun of(ts: TransitionSystem, write: (Literal) -> String, leftOut: (String) -> Unit): Mind {
             fun text(literal: Literal): String? = try {
@@ -43,7 +43,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
             )
         }
 
-        /** Returns the mind that [Mind.program] wrote as [program]. */
+        /** Reads [program], a text from [Mind.program]. */
         fun ofProgram(program: String): Mind = of(program.lines().filter { it.isNotBlank() }.map { it.trim().removeSuffix(".") })
 
         /** Returns the mind with the beliefs and events in [facts]. */
@@ -51,7 +51,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
 
         private fun beliefs(ts: TransitionSystem): List<Literal> = ts.ag.bb.filterNot(::isOfProgram).mapNotNull(::withoutPercept)
 
-        /** Returns [belief] without the source percept; null: it has no other source. */
+        /** Returns [belief] without the source `percept`; null: it has no other source. */
         private fun withoutPercept(belief: Literal): Literal? =
             if (!belief.hasSource(BeliefBase.APercept)) belief
             else belief.copy().also { it.delSource(BeliefBase.APercept) }.takeIf { it.hasSource() }
@@ -71,14 +71,14 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
     }
 }
 
-/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind replaces another one. */
+/** Returns true if [belief] belongs to the program: no [Mind] contains it, and [replaceMind] keeps it. */
 private fun isOfProgram(belief: Literal) = belief is Rule || belief.isHidden
 
 /**
- * Makes the agent of [ts], which has read its program but has not begun, believe [beliefs]. Of the program only the rules stay. The goals
- * that the program begins with are gone, too. No belief causes an event, since the agent knew it before. Called by its thread.
+ * Replaces the beliefs of the agent of [ts] by [beliefs], before its first cycle. The program's rules and hidden beliefs stay; its initial
+ * beliefs and goals go. No belief causes an event, since the agent had it in its last run. Called by the agent's thread.
  *
- * @param refused takes each belief that the agent's belief base refuses, with the reason
+ * @param refused receives each belief that the agent's belief base refuses, with the reason
  */
 fun replaceMind(ts: TransitionSystem, beliefs: List<Literal>, refused: (String) -> Unit) {
     val bb = ts.ag.bb
@@ -94,14 +94,14 @@ fun replaceMind(ts: TransitionSystem, beliefs: List<Literal>, refused: (String) 
     }
 }
 
-/** Puts [event] of a mind, with the event's [literal], into the queue of the agent of [ts]. Called by its thread. */
+/** Puts [event], an event of a [Mind] with this [literal], into the queue of the agent of [ts]. Called by the agent's thread. */
 fun beginAnew(ts: TransitionSystem, event: String, literal: Literal) {
     if (event.startsWith("!")) ts.c.addAchvGoal(literal, Intention.EmptyInt)
     else ts.c.addEvent(Event(Trigger(TEOperator.add, TEType.belief, literal), Intention.EmptyInt))
 }
 
-/** Jason allows line ends in a quoted atom, but each belief and each event of [Mind.program] has one line. */
+/** Jason allows line breaks in a quoted atom, but [Mind.program] has one line for each belief and each event. */
 private const val LINE_BREAKS = "\n\r"
 
-/** In Jason this puts a belief behind those with the same functor, so all beliefs keep their order. */
+/** With this index, Jason puts a belief after all beliefs with the same functor, so beliefs keep their order. */
 private const val AT_END = 1

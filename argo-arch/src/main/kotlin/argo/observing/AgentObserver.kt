@@ -4,17 +4,17 @@ import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 
 /**
- * Follows the events of one agent, like its live view or a recorder. An [AgentObserverProvider] opens an observer; an agent may have
- * several observers.
+ * Follows the events of one agent; a live view and a recorder are observers. An [AgentObserverProvider] opens an observer. An agent may
+ * have several observers.
  *
- * The thread of the event calls each function: the agent's, the sensing thread of a port, or the thread that sends commands. So a function
- * must return at once and be safe for use by several threads. Exceptions are caught: they end neither the agent nor its sensing. The first
- * exception of an observer is logged. By default the functions do nothing; only [close] must be implemented.
+ * The functions are called by the thread that makes the event: the agent's thread, the sensing thread of a port, or the thread that sends
+ * commands. So a function must return at once and be safe for use by several threads. An exception ends neither the agent nor its sensing.
+ * The first exception of an observer is logged. By default the functions do nothing; only [close] must be implemented.
  */
 interface AgentObserver : AutoCloseable {
     /**
-     * [message] has passed through the filter. Called again, with the same [PerceivedMessage.receivedNanos], when held-back percepts are
-     * due.
+     * [message] has passed the filter. If the filter holds back percepts of [message], this function is called again when they are due,
+     * with the same [PerceivedMessage.receivedNanos].
      */
     fun messageFiltered(message: PerceivedMessage) = Unit
 
@@ -24,7 +24,7 @@ interface AgentObserver : AutoCloseable {
     /** [command] waits to be sent: the agent has called `argo.act`, or a critical rule has a reflex. */
     fun commandIssued(command: IssuedCommand) = Unit
 
-    /** [command] has been sent or, in version 2, carried out; else [failure] is the reason. Called once for each [commandIssued]. */
+    /** [command] was sent or, in version 2, carried out; if it failed, [failure] is the reason. Called once for each [commandIssued]. */
     fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = Unit
 
     /**
@@ -42,10 +42,10 @@ interface AgentObserver : AutoCloseable {
      */
     fun portChanged(port: String, status: String, reason: String?) = Unit
 
-    /** The agent perceives through [filter] from now on; null: through none. Called by the agent's thread. */
+    /** The agent perceives through [filter] from now on; null: without a filter. Called by the agent's thread. */
     fun filterChanged(filter: PerceptionFilter?) = Unit
 
-    /** The agent perceives only the board on [port] through [filter] from now on; null: through none. Called by the agent's thread. */
+    /** From now on, [filter] applies to the board on [port] only; null: that board has no filter. Called by the agent's thread. */
     fun boardFilterChanged(port: String, filter: PerceptionFilter?) = Unit
 
     /** The agent has called `argo.record(Why)`. Returns true if the observer keeps the last events. Called by the agent's thread. */
@@ -54,7 +54,7 @@ interface AgentObserver : AutoCloseable {
     /** A reasoning cycle is over. Called by the agent's thread, so this is the place to read [ObservedAgent.beliefs]. */
     fun cycleFinished() = Unit
 
-    /** The agent ends. Releases all resources without waiting for them; events may still come. May be called twice. */
+    /** The agent ends. Release all resources, but do not wait for them. Events may still come. May be called twice. */
     override fun close()
 }
 
@@ -63,13 +63,13 @@ interface PerceivedMessage {
     /** The name with which the message's port was opened. */
     val portName: String
 
-    /** The namespace of its percepts; null: the default namespace. */
+    /** The namespace of the message's percepts; null: the default namespace. */
     val namespace: String? get() = null
 
-    /** The percepts as they came off the line. */
+    /** The percepts as the board sent them. */
     val texts: List<String>
 
-    /** The percepts that the filter lets through, and stand-ins for held-back ones. */
+    /** The percepts that the filter lets through, and the percepts that replace held-back ones. */
     val kept: List<String>
 
     /** The percepts in [kept] that cannot be believed; the agent's log has the reason. */
@@ -82,14 +82,14 @@ interface PerceivedMessage {
 /**
  * A command for a board.
  *
- * @property number counts the agent's commands, from 1
+ * @property number the number of the command among the agent's commands, from 1
  * @property port the name with which the board's port was opened
  * @property text the text that is sent
- * @property issuedNanos the time of its issue, in ns of [ObservedAgent.nanos]
+ * @property issuedNanos the time at which the command was issued, in ns of [ObservedAgent.nanos]
  */
 data class IssuedCommand(val number: Long, val port: String, val text: String, val issuedNanos: Long)
 
-/** The side that watches a critical rule and has the rule's reflex carried out. The [word] is for people. */
+/** The side that watches a critical rule and starts the rule's reflex. Messages call it by [word]. */
 enum class RuleWatcher(val word: String) {
     BOARD("the board"),
     COMPUTER("the computer"),
@@ -98,8 +98,8 @@ enum class RuleWatcher(val word: String) {
 /**
  * The reflex of a critical rule, with its outcome.
  *
- * @property watcher the side that had the reflex carried out
- * @property failure the reason why the reflex was not carried out; null: it was
+ * @property watcher the side that started the reflex
+ * @property failure the reason why the reflex was not carried out; null: it was carried out
  * @property nanos the time at which the outcome was known, in ns of [ObservedAgent.nanos]
  */
 data class EndedReflex(val rule: CriticalRule, val watcher: RuleWatcher, val failure: CommandFailure?, val nanos: Long)

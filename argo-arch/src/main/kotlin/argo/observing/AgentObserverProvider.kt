@@ -3,9 +3,9 @@ package argo.observing
 import java.util.logging.Logger
 
 /**
- * Opens observers of agents that have its option, such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
+ * Opens observers for agents with the provider's [option], such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
  *
- * [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
+ * [java.util.ServiceLoader] finds the provider: its class has a public constructor without arguments, and is named in
  * `META-INF/services/argo.observing.AgentObserverProvider`.
  */
 interface AgentObserverProvider {
@@ -20,7 +20,7 @@ interface AgentObserverProvider {
      *
      * @param value the value of the option
      * @param log the agent's log
-     * @return null: the observer cannot be opened; [log] has the reason, and the agent runs without it
+     * @return the observer; null: it cannot be opened. Then [log] has the reason, and the agent runs without the observer
      */
     fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver?
 }

@@ -3,9 +3,9 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * If something outside ends the program before this is closed, as Ctrl-C does, runs [say] on its own thread. The program waits for [say],
- * but no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Then [tell] gets [unsaid], by default on standard
- * error, since Java may have closed the log. Safe for use by several threads.
+ * Runs [say] on its own thread if the program is ended, for example by Ctrl-C, before this object is closed. The program waits for [say],
+ * but [mostMs] ms at most, since a disk or a browser may hang. If [say] takes longer, [tell] gets the message [unsaid], by default on
+ * standard error, since Java may have closed the log. Safe for use by several threads.
  */
 class Farewell(
     private val mostMs: Long,

@@ -16,15 +16,13 @@ interface ObservedAgent {
     /** The agent's name in the multi-agent system. */
     val name: String
 
-    /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
+    /** The policy that decides when the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
-    /** The sensing interval in ms of boards without an interval of their own. */
+    /** The sensing interval in ms of all boards that have no interval of their own. */
     val intervalMs: Int
 
-    /**
-     * The time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. See `argo.skew`.
-     */
+    /** The time in ms between the oldest and the newest reading that the agent believes now; null: it believes none. See `argo.skew`. */
     val skewMs: Long?
 
     /** True if the agent perceives its boards. */
@@ -58,8 +56,8 @@ interface ObservedAgent {
     fun ports(): List<ObservedPort>
 
     /**
-     * Returns the kinds of percepts that the board on a port describes; empty: it describes none, or they are not known yet. From the first
-     * call on, the board is asked for its kinds once in each session, between two requests.
+     * Returns the kinds of percepts that the board on a port describes; empty: it describes none, or its kinds are not known yet. After the
+     * first call, ARGO asks the board once in each session, between two requests for percepts.
      *
      * @param portName the name with which the port was opened
      */
@@ -71,17 +69,17 @@ interface ObservedAgent {
      */
     fun filterNames(): List<String>
 
-    /** Returns the filter called [name]; null: [name] is `none`, for no filter. Throws like [argo.filters.format.FilterFinder.find]. */
+    /** Returns the filter called [name]; null: [name] is `none`, no filter. Throws like [argo.filters.format.FilterFinder.find]. */
     fun filter(name: String): PerceptionFilter?
 
-    /** Explains why the filter keeps or drops [percept], in words; for each board, if boards differ. */
+    /** Explains why the filter keeps or drops [percept], in words. If the explanations for boards differ, returns that of each board. */
     fun explain(percept: String): String
 
-    /** Returns the critical rules of the active filter, in its order, each with the side that watches it. */
+    /** Returns the critical rules of the active filter, in the filter's order, each with the side that watches the rule. */
     fun criticalRules(): List<WatchedRule>
 
     /**
-     * Makes the agent perceive through [filter] in its next cycle, or at once if the agent is paused; null: through none. The agent's
+     * Makes the agent perceive through [filter] from its next cycle on, or at once if it is paused; null: without a filter. The agent's
      * thread calls [done] afterwards.
      */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
@@ -93,8 +91,8 @@ interface ObservedAgent {
     fun perceive(open: Boolean, done: () -> Unit)
 
     /**
-     * Sends [command], a literal or a string in quotes, like `argo.act(command)` in a plan: in the next cycle, or at once if the agent
-     * stands. The thread that learns the outcome calls [done] once: with null, or with the reason why the command was not carried out.
+     * Sends [command], a literal or a string in quotes, like `argo.act(command)` in a plan: in the next cycle, or at once if the agent is
+     * paused. [done] is called once, on any thread: with null, or with the reason why the command was not carried out.
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
@@ -102,24 +100,24 @@ interface ObservedAgent {
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
     /**
-     * Makes the agent carry [order] out at the beginning of its next cycle. The agent's thread calls [done] once afterwards, with the
+     * Makes the agent carry out [order] at the beginning of its next cycle. The agent's thread calls [done] once afterwards, with the
      * outcome.
      */
     fun order(order: Order, done: (Outcome) -> Unit)
 
     /**
-     * Reads the agent's program and its active filters anew, on the calling thread, and lets the agent exchange the changed parts, like
-     * `argo.reload`. Calls [done] once at the end: on the calling thread if anything cannot be read, else on the agent's thread.
+     * Reads the agent's program and its active filters anew, on the calling thread. The agent then exchanges the changed parts, as after
+     * `argo.reload`. [done] is called once at the end: on the calling thread if anything cannot be read, else on the agent's thread.
      */
     fun reload(done: (Outcome) -> Unit)
 
-    /** Returns the files that [reload] reads: the program, the files that it includes, and filters; empty: none is on a disk. */
+    /** Returns the files on disk that [reload] reads: the program, the files that the program includes, and filters. */
     fun sources(): List<Path>
 
     /** Makes the agent run a reasoning cycle soon. */
     fun wake()
 
-    /** Makes the agent run a reasoning cycle soon, and further ones at growing intervals until [seen] returns true. */
+    /** Makes the agent run a reasoning cycle soon, and further cycles at growing intervals until [seen] returns true. */
     fun wakeUntil(seen: () -> Boolean)
 }
 
@@ -134,8 +132,8 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
  * @property isInUse whether this is the port in use, which gets each command for which no other board is found
  * @property isStale whether the agent believes `stale(P)` about the port
  * @property isPerceived whether the agent perceives the board on the port
- * @property namespace the namespace of its board's percepts; null: the default namespace
- * @property intervalMs the sensing interval in ms of its board; null: the board is not perceived
+ * @property namespace the namespace of the percepts from the port's board; null: the default namespace
+ * @property intervalMs the sensing interval in ms of the port's board; null: the board is not perceived
  * @property filter the name of the board's filter; null: the board has none, or is not perceived
  */
 data class ObservedPort(

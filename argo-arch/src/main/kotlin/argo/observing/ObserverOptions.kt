@@ -20,7 +20,7 @@ internal class ObserverOptions(private val options: Map<String, String>, private
     /** The options with a provider, such as `argo_view=a port number`. */
     val usages: List<String> get() = providers.map { "${it.option}=${it.usage}" }
 
-    /** Opens the observers of [agent]. Logs each observer that cannot be opened; the agent runs without it. */
+    /** Opens the observers of [agent]. If an observer cannot be opened, logs the reason, and the agent runs without this observer. */
     fun open(agent: ObservedAgent): List<AgentObserver> = providers.mapNotNull { provider ->
         val value = options[provider.option] ?: return@mapNotNull null
         try {

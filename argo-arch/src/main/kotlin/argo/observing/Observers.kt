@@ -7,15 +7,15 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Calls all [observers] of an agent, in their order. If an observer throws, [log] gets its first exception, and the other observers are
- * still called. Safe for use by several threads.
+ * Calls all [observers] of an agent, in their order. If an observer throws, the others are still called. [log] gets each observer's first
+ * exception. Safe for use by several threads.
  * @param nanos the agent's clock, in ns
  */
 internal class Observers(val observers: List<AgentObserver>, private val log: Logger, private val nanos: () -> Long) {
     private val guarded = observers.map(::Guarded)
     private val commands = AtomicLong()
 
-    /** Reports that [text] is about to be sent on [port]. Returns the command; null: nobody observes. */
+    /** Reports that [text] is about to be sent on [port]. Returns the command; null: the agent has no observers. */
     fun commandIssued(port: String, text: String): IssuedCommand? {
         if (guarded.isEmpty()) return null
         return IssuedCommand(commands.incrementAndGet(), port, text, nanos()).also { command -> each { it.commandIssued(command) } }

@@ -25,14 +25,14 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * The world of an agent that can be paused: the parts that a pause needs.
+ * The parts of an agent's world that a pause needs.
  *
  * @property nanos the agent's clock
- * @property makeSafe makes the boards safe, on the agent's thread; returns the result for each board, in words; null: there is no such
- * command
- * @property standing called by the agent's thread when it begins (true) or ceases (false) to stand
- * @property wake wakes the agent until its argument returns true
- * @property isStandingStill whether the world stands still with the agent, see [argo.platform.Platform.standsStill]
+ * @property makeSafe makes the boards safe, on the agent's thread; returns the result for each board, in words; null: no command makes them
+ * safe
+ * @property standing called by the agent's thread: with true when a pause begins, with false when it ends
+ * @property wake wakes the agent until `seen` returns true
+ * @property isStandingStill whether the world stops while the agent is paused, see [argo.platform.Platform.standsStill]
  */
 internal class PauseWorld(
     val nanos: () -> Long,
@@ -43,8 +43,8 @@ internal class PauseWorld(
 )
 
 /**
- * Makes the agent of [ts] stand on its own thread, in [cycleStarting]. In a world that stands still with it, the agent can also stand
- * within a cycle, so that breakpoints do not change its course.
+ * Pauses the agent of [ts] by blocking its thread in [cycleStarting]. If the world stops too, the agent can also be paused within a cycle,
+ * so that breakpoints do not change its behaviour.
  *
  * @param asking see [argo.boundary.Boundary.asking]
  */
@@ -57,7 +57,7 @@ internal class AgentPausing(
 ) : Pausing, AutoCloseable {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
-    private val works = ArrayDeque<() -> Unit>() // for the thread of the standing agent; under the lock
+    private val works = ArrayDeque<() -> Unit>() // for the thread of the paused agent; under the lock
     private var mayGoOn = true // under the lock
     private val owned = LinkedHashMap<Any, List<Placed>>() // under the lock
     private val listeners = CopyOnWriteArrayList<(PauseState) -> Unit>()
@@ -73,16 +73,16 @@ internal class AgentPausing(
         fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
     }
 
-    /** A breakpoint in a file that was saved at [savedAt] when the breakpoint was set; null: the file is not on a disk. */
+    /** A breakpoint. When it was set, its file had last been saved at [savedAt]; null: the file is not on a disk. */
     private class Placed(val breakpoint: Breakpoint, val savedAt: FileTime?)
 
     private class Until(val stop: Stop, val owner: Any)
 
-    /** The reason why the agent is to be paused before its next cycle; null: it is not. Written under the lock. */
+    /** The pause that is to begin before the agent's next cycle; null: none. Written under the lock. */
     @Volatile
     private var wanted: Stand? = null
 
-    /** The reason why the agent is paused, and so takes work; null: it is not paused. Under the lock. */
+    /** The present pause, during which the agent's thread does [works]; null: the agent is not paused. Under the lock. */
     private var standing: Stand? = null
 
     @Volatile
@@ -106,7 +106,7 @@ internal class AgentPausing(
         if (wanted != null) world.wake { wanted == null }
     }
 
-    /** Pauses the agent for [next], and for all for whom it was already to be paused. Under the lock. */
+    /** Makes [next] the pause that is to begin, and adds the owners of the pause that was to begin before. Under the lock. */
     private fun want(next: Stand) {
         wanted = next.with(wanted?.owners.orEmpty())
     }
@@ -121,7 +121,7 @@ internal class AgentPausing(
         }
         val next = Until(stopOf(stop, ts), owner)
         val isStanding = meanwhile {
-            next.stop.met(ts, null) // notes the beliefs that are there before the agent goes on
+            next.stop.met(ts, null) // notes the present beliefs before the agent goes on
             goOn(next, null)
         }
         if (!isStanding) goOn(next, null)
@@ -155,7 +155,7 @@ internal class AgentPausing(
 
     override fun breakpoints(owner: Any) = lock.withLock { owned[owner].orEmpty().map { it.breakpoint } }
 
-    /** Has [exchange] exchange the agent's plans, with which the breakpoints move. Called by the agent's thread. */
+    /** Calls [exchange] to exchange the agent's plans, and moves breakpoints with their plans. Called by the agent's thread. */
     fun exchanging(exchange: () -> Unit) {
         val before = PlanLines(ts.ag).takeIf { lock.withLock { owned.isNotEmpty() } }
         exchange()
@@ -164,7 +164,7 @@ internal class AgentPausing(
             .forEach { owner -> carryOut { (owner as? BreakpointOwner)?.breakpointsChanged() } }
     }
 
-    /** Moves the breakpoints of [owner]; returns true if any has another line now. Under the lock. */
+    /** Moves the breakpoints of [owner]; returns true if the line of any has changed. Under the lock. */
     private fun moveAll(owner: Any, before: PlanLines, now: PlanLines): Boolean {
         val its = owned.getValue(owner)
         val moved = its.map { moved(it, before, now) }
@@ -172,7 +172,9 @@ internal class AgentPausing(
         return its.zip(moved).any { (one, other) -> one.breakpoint.line != other.breakpoint.line }
     }
 
-    /** A breakpoint that was set before its file was saved is of the old text, and moves with its plan; else it is of the new text. */
+    /**
+     * A breakpoint that was set before its file was saved belongs to the old text, and moves with its plan. Others belong to the new text.
+     */
     private fun moved(placed: Placed, before: PlanLines, now: PlanLines): Placed {
         val (file, wanted, line) = placed.breakpoint
         val savedAt = now.savedAt(file)
@@ -212,8 +214,8 @@ internal class AgentPausing(
     override fun look(look: () -> Unit): Boolean = meanwhile { asking(look) }
 
     /**
-     * If the agent is paused, or is about to be, lets its thread do [work] before the agent goes on, and returns true; else returns false.
-     * Any thread may call.
+     * If the agent is paused or its pause is beginning, returns true, and its thread does [work] before the agent goes on; else returns
+     * false. Any thread may call.
      */
     fun meanwhile(work: () -> Unit): Boolean = lock.withLock {
         if (standing == null) return false
@@ -222,7 +224,7 @@ internal class AgentPausing(
         true
     }
 
-    /** Pauses the agent if it is to be paused before the cycle that begins now. Called by its thread. */
+    /** Pauses the agent if it is to be paused before the cycle that begins now. Called by the agent's thread. */
     fun cycleStarting() {
         isInCycle = true
         standIfWanted()
@@ -241,14 +243,13 @@ internal class AgentPausing(
     }
 
     /**
-     * Returns true if the agent need not begin a cycle to pause. In a world that stands still, the agent needs no cycle of its own to
-     * stand.
+     * Returns true if the agent need not begin a cycle in order to pause. If the world stops too, the agent pauses without an extra cycle.
      */
     fun maySleep(): Boolean = world.isStandingStill || wanted == null
 
     /**
-     * Returns true if the agent carries out no intention in this cycle, since it must pause before the next cycle. Called by the agent's
-     * thread between the rules of its cycle.
+     * Returns true if the agent must not carry out an intention in this cycle, since it must pause before the next cycle. Called by the
+     * agent's thread between the rules of its cycle.
      */
     fun isHolding(): Boolean {
         if (!isInCycle || !isWatching || !Insides.isBeforeIntention(ts) || !hasMet()) return false
@@ -263,7 +264,7 @@ internal class AgentPausing(
         if (world.isStandingStill) standIfWanted() else world.wake { wanted == null }
     }
 
-    /** Returns true if the agent must pause now, and notes for whom. */
+    /** Returns true if the agent must pause now; if so, notes the pause and its owners. */
     private fun hasMet(): Boolean {
         val option = ts.c.selectedOption
         val chosen = option.takeIf { it !== lastOption }?.plan
@@ -301,7 +302,7 @@ internal class AgentPausing(
         return boards.mapNotNull { it.getNow(null) }
     }
 
-    /** Waits for work for the standing agent; null: the agent goes on. */
+    /** Waits for the next work of the paused agent and returns it; null: the agent goes on. */
     private fun nextWork(): (() -> Unit)? = lock.withLock {
         while (works.isEmpty() && !mayGoOn) changed.awaitUninterruptibly()
         works.removeFirstOrNull().also { if (it == null) standing = null }
@@ -309,7 +310,7 @@ internal class AgentPausing(
 
     private fun carryOut(work: () -> Unit) = try {
         work()
-    } catch (broken: Throwable) { // code of a view or a debugger; the agent must go on
+    } catch (broken: Throwable) { // a view or a debugger may throw anything; the agent must go on
         log.log(Level.WARNING, "what was asked of the standing agent has failed", broken)
     }
 
@@ -318,7 +319,7 @@ internal class AgentPausing(
         listeners.forEach { carryOut { it(state) } }
     }
 
-    /** Lets the agent go on for good, since it ends. */
+    /** Lets the agent go on, and never pauses it again, since it ends. */
     override fun close() {
         isClosed = true
         goOn()
@@ -331,7 +332,7 @@ internal class AgentPausing(
     }
 }
 
-/** Returns why the agent with these [architectures] cannot be paused, in words; null: it can. */
+/** Returns why an agent with these [architectures] cannot be paused, in words; null: it can be paused. */
 internal fun refusalToPause(architectures: Sequence<AgArch>): String? =
     if (architectures.none { it is LocalAgArchAsynchronous }) null
     else "the agent has a thread each for sensing, deliberating and acting, which cannot stand together; leave out \"asynchronous\" in " +

@@ -19,11 +19,11 @@ import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.isRegularFile
 import kotlin.math.abs
 
-/** A line at which an agent can be paused: that of the trigger of [plan], or that of the step with this [number]. */
+/** A line at which an agent can be paused: the line of a trigger or a step of [plan]. [number] is its index among the lines of [plan]. */
 private class PlanLine(val plan: Plan, val number: Int, val text: String, val place: SourceLine)
 
 /**
- * The lines of an agent's plans at which it can be paused: the lines of triggers and of steps. They stay as they are when the plans are
+ * The lines of an agent's plans at which it can be paused: the lines of triggers and of steps. An object keeps its lines when plans are
  * exchanged. Any thread may call.
  */
 internal class PlanLines(agent: Agent) {
@@ -31,22 +31,22 @@ internal class PlanLines(agent: Agent) {
     private val plans: Set<Plan> = lines.mapTo(Collections.newSetFromMap(IdentityHashMap())) { it.plan }
     private val source = agent.aslSrc
 
-    /** The last part of the name of each file with such lines, except the file of Jason's own plans for messages. */
+    /** The names, without folders, of the files with these lines. The file of Jason's own plans for messages is left out. */
     val files: Set<String> get() = lines.mapTo(LinkedHashSet()) { File(it.place.file).name } - "kqmlPlans.asl"
 
     fun has(file: String): Boolean = lines.any { isSameFile(it.place.file, file) }
 
-    /** Returns the first line of [file] from [line] on; null: there is none. */
+    /** Returns the first of these lines that is in [file], at or after [line]; null: there is none. */
     fun from(file: String, line: Int): Int? = of(file).filter { it.place.line >= line }.minOfOrNull { it.place.line }
 
-    /** Returns the time at which [file] was saved; null: it is not on a disk. */
+    /** Returns the time at which [file] was last saved; null: it is not on a disk. */
     fun savedAt(file: String): FileTime? = (of(file).map { it.place.file } + listOfNotNull(source)).distinct()
         .filter { isSameFile(it, file) }.mapNotNull(::pathOf).filter { it.isRegularFile() }
         .maxOfOrNull { it.getLastModifiedTime() }
 
     /**
-     * Finds the part of a plan at [line] of [file] among the lines of an exchanged program, [now], and returns its line there: in the same
-     * plan, or in the most similar one that has come in its place; null: there is none.
+     * Returns the line to which the trigger or step at [line] of [file] has moved. [now] are the lines after an exchange. Looks in the same
+     * plan or, if that is gone, in the most similar new plan for the same goal or belief; null: there is no such plan.
      */
     fun moved(file: String, line: Int, now: PlanLines): Int? {
         val part = of(file).find { it.place.line == line } ?: return now.from(file, line)
@@ -77,14 +77,14 @@ private fun linesOf(plan: Plan): List<PlanLine> {
         .mapIndexed { number, (text, place) -> PlanLine(plan, number, text.replace(UNNAMED, "_"), place) }
 }
 
-/** Returns the steps of [body] and those in its loops and conditions. */
+/** Returns the steps of [body], and the steps inside its loops and conditions. */
 private fun stepsIn(body: PlanBody?): List<PlanBody> =
     generateSequence(body) { it.bodyNext }.filterNot { it.isEmptyBody }.flatMap { listOf(it) + within(it.bodyTerm) }.toList()
 
 private fun within(term: Term?): List<PlanBody> = when {
     term is PlanBody -> stepsIn(term)
-    term is ListTermImpl -> term.asList.flatMap(::within) // Jason logs a warning when the terms of a list are asked for
-    term is Structure -> term.terms.orEmpty().flatMap(::within) // an event has terms, but no list of them
+    term is ListTermImpl -> term.asList.flatMap(::within) // term.terms would make Jason log a warning for a list
+    term is Structure -> term.terms.orEmpty().flatMap(::within) // a trigger's list of terms is null
     else -> emptyList()
 }
 

@@ -10,12 +10,12 @@ import argo.calls.wrongArgument
 import jason.asSyntax.Term
 import java.util.concurrent.CompletableFuture
 
-/** The command [command] that makes [boards] safe, before their agent is paused. */
+/** Makes [boards] safe by [command] before their agent is paused. */
 internal class SafeCommand(private val command: Term, private val boards: AgentBoards) {
     /**
-     * Sends the command to each board that the agent perceives, ahead of all waiting commands; if commands wait, also once more behind
-     * them. Belongs to the agent's thread.
-     * @return the result at each board, in words for a person; each comes within [LIMIT_MS] ms, by any thread
+     * Sends the command to each board that the agent perceives, ahead of all waiting commands. If commands wait, sends it once more after
+     * them. For the agent's thread only.
+     * @return the result at each board, in words for a person; completed within [LIMIT_MS] ms, by any thread
      */
     fun send(): List<CompletableFuture<String>> = boards.current.map(::send)
 
@@ -42,7 +42,7 @@ internal class SafeCommand(private val command: Term, private val boards: AgentB
         else "the board on ${board.term} has not got $command: ${failure.cause}"
 
     companion object {
-        /** The ms within which a board must be safe; after that it is reported as not safe. */
+        /** The time limit in ms for the command. If it is over, the board is reported as not safe. */
         const val LIMIT_MS = 2000
     }
 }

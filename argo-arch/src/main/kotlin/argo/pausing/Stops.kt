@@ -22,25 +22,26 @@ import java.util.IdentityHashMap
 /** The reason why an agent must pause: see [argo.observing.PauseState]. */
 internal data class Met(val why: String, val place: SourceLine? = null, val intention: Int? = null)
 
-/** A condition on which an agent is paused. For the agent's thread. */
+/** A condition that pauses an agent when it is met. For the agent's thread only. */
 internal fun interface Stop {
     /**
-     * Returns why the agent of [ts] must pause now; null: it need not. The first call may be made before the agent goes on.
-     * @param chosen the plan that the agent has chosen since the last call; null: none
+     * Returns why the agent of [ts] must pause now; null: the condition is not met. The first call may be made before the agent goes on.
+     * @param chosen the plan that the agent has chosen since the last call; null: it has chosen none
      */
     fun met(ts: TransitionSystem, chosen: Plan?): Met?
 }
 
 /**
- * Stops an agent before its next step, if that is the first step at one of [lines], or the first step of a plan whose trigger is there.
- * Looks only at the intention whose turn is next. So if several intentions are at breakpoints, they are carried out one after the other.
+ * Pauses an agent before its next step if this is the first step at one of [lines], or the first step of a plan whose trigger is at one of
+ * [lines]. Looks only at the intention whose turn is next. So if several intentions are at breakpoints, the agent is paused for one after
+ * the other.
  */
 internal class Breakpoints : Stop {
-    /** Any thread may set it. */
+    /** Any thread may set [lines]. */
     @Volatile
     var lines: List<SourceLine> = emptyList()
 
-    private var places = IdentityHashMap<IntendedMeans, SourceLine?>() // of the steps that were next at the last call
+    private var places = IdentityHashMap<IntendedMeans, SourceLine?>() // the lines of the steps that were next at the last call
 
     override fun met(ts: TransitionSystem, chosen: Plan?): Met? {
         val running = running(ts)
@@ -60,7 +61,7 @@ internal class Breakpoints : Stop {
 
 /**
  * Returns the condition [stop] for the agent of [ts]. Any thread may call.
- * @throws IllegalArgumentException if [stop] cannot be read, or is about a plan that the agent does not have
+ * @throws IllegalArgumentException if [stop] cannot be read, or names a plan that the agent does not have
  */
 internal fun stopOf(stop: StopAt, ts: TransitionSystem): Stop = when (stop) {
     StopAt.NextCycle -> Stop { _, _ -> Met("one cycle is over") }
@@ -85,7 +86,7 @@ private fun chosen(plan: Plan, ts: TransitionSystem): Met {
     return Met("the plan ${plan.label?.functor} for ${plan.trigger} was chosen", placeOf(plan), intention?.id)
 }
 
-/** Stops an agent when it has a belief that unifies with a pattern, and that it did not have at the first call. */
+/** Pauses an agent when it has a belief that unifies with a pattern and that it did not have at the first call. */
 private class NewBelief(text: String) : Stop {
     private val pattern: Literal = try {
         PerceptReader.read(text)
@@ -102,7 +103,7 @@ private class NewBelief(text: String) : Stop {
     }
 }
 
-/** Stops an agent at the next step of an intention after the step that was next at the first call. */
+/** Pauses an agent before the step that follows, in one intention, the step that was next at the first call. */
 private class NextStep(private val wanted: StopAt.Step) : Stop {
     private class From(val depth: Int, val means: IntendedMeans, val step: PlanBody?)
 

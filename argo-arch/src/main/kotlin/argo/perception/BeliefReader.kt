@@ -20,11 +20,11 @@ import jason.asSyntax.Term
 /**
  * Turns the text of a percept into the literal for the agent's beliefs.
  *
- * A text that Jason cannot read, or that no sensor can mean, is left out, with one warning for each distinct text. The literals of a known
- * text are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
+ * A text that Jason cannot read, or that makes no sense as a percept, is left out, with one warning for each distinct text. Literals are
+ * cached and reused, since Jason copies a literal when it adds the literal to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace the namespace of the percepts; null: each percept names its own, mostly the default one
- * @param warn takes one line for each text that cannot be read
+ * @param namespace the namespace of the percepts; null: each percept has the namespace in its text, mostly the default one
+ * @param warn logs one line for each text that is left out
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
@@ -33,12 +33,12 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Sizes the cache for messages with [percepts] percepts: for present readings, not for all readings ever. */
+    /** Sets the size of the cache for messages with [percepts] percepts. Older percepts leave the cache. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** Returns the literal of [percept]; an empty list: it cannot be read; several literals: a stray quote or bracket had joined them. */
+    /** Returns the literal of [percept]; none if it is left out; several if a stray quote or bracket had joined several percepts. */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
@@ -68,7 +68,7 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     }
 }
 
-/** Explains why an agent leaves out a percept with this text; null: the agent believes it. Any thread. */
+/** Explains why an agent leaves out the percept with the text [percept]; null: the agent believes it. Any thread may call. */
 fun whyLeftOut(percept: String): String? = (parse(percept) as? Reading.Unreadable)?.why
 
 private sealed interface Reading {
@@ -92,7 +92,7 @@ private fun parse(percept: String): Reading = try {
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 
-/** Explains why [term] has no value, or none that stays; null: it has. A sum of numbers is a number. */
+/** Explains why [term] has no fixed value; null: it has one. The value of a sum of numbers is a number. */
 private fun whyNoValue(term: Term): String? = when {
     term is ArithExpr -> term.terms.firstNotNullOfOrNull(::whyNoValue) ?: whyNoNumber(term.capply(Unifier()) as NumberTerm)
     term is ArithFunctionTerm -> "it holds a function, which would be computed anew each time that the agent looks at it"
@@ -105,13 +105,13 @@ private fun whyNoValue(term: Term): String? = when {
 
 private fun whyNoNumber(number: NumberTerm) = if (number.solve().isFinite()) null else INFINITE
 
-/** The term `off[x]` matches the word `off`. */
+/** Explains why a percept must not be [literal], which is reserved for ARGO. As the last argument, `off[x]` counts as `off`. */
 private fun claim(literal: Literal): String? {
     val last = if (literal.arity == 0) null else literal.getTerm(literal.arity - 1) as? Literal
     return whyClaimed("${literal.functor}/${literal.arity}", last?.functor)
 }
 
-/** Returns [literal] without the sources that its text claims: a board's literal is only a percept. */
+/** Removes the sources that the text of [literal] names: the only source of a board's literal is `percept`. */
 private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))

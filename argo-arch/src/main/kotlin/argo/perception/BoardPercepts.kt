@@ -16,7 +16,7 @@ import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
-/** The board in the view of its percepts. Any thread may call. */
+/** The interface of a board for its [BoardPercepts]. Any thread may call. */
 internal interface PerceivedBoard {
     /** The board's percepts that the agent believes. */
     val sensed: List<Literal>
@@ -24,20 +24,20 @@ internal interface PerceivedBoard {
     /** Returns true if the agent perceives the board through [port] now. */
     fun isOn(port: OpenPort): Boolean
 
-    /** Takes each [snapshot] that is ready for the agent. */
+    /** Called with each [snapshot] just before its hand-over begins. */
     fun filtered(snapshot: Snapshot)
 }
 
 /**
- * Turns each message of a [board] into a [Snapshot] for its agent, and passes it to the hand-over.
+ * Turns each message of [board] into a [Snapshot] for the agent, and passes the snapshot to [handOver].
  *
- * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make snapshots and pass them on
- * under one lock, so no older snapshot follows a newer one. Safe for use by several threads.
+ * The sensing thread makes a snapshot of each message. The agent's thread makes a snapshot when held-back percepts are due. Both make
+ * snapshots and pass them on under one lock, so no older snapshot follows a newer one. Safe for use by several threads.
  *
- * @param reader reads the beliefs; [limit] selects from them
- * @param handOver takes the snapshots
- * @param reflexes takes the critical rules that each message meets; commands are submitted under the lock, so no command follows [forget]
- * @param log takes, at level FINE, the reason why a percept is dropped
+ * @param reader reads percepts as literals, which [limit] then limits in number
+ * @param handOver receives the snapshots
+ * @param reflexes receives the critical rules that each message meets. Sends commands under the lock, so no command follows [forget]
+ * @param log logs, at level FINE, the reason why a percept is dropped
  */
 internal class BoardPercepts(
     private val board: PerceivedBoard,
@@ -52,7 +52,7 @@ internal class BoardPercepts(
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest message, without reports
-    private var olderNanos: Map<String, Long> = emptyMap() // by percept older than the message, the time at which it was true
+    private var olderNanos: Map<String, Long> = emptyMap() // the percepts older than the message, each with the time at which it was true
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were last seen. */
@@ -70,7 +70,7 @@ internal class BoardPercepts(
     var request: String = PerceptsRequest.ALL
         private set
 
-    /** Perceives through [filter] from now on; null: everything. Makes pending snapshots anew. */
+    /** Uses [filter] from now on; null: no filter. Makes snapshots that wait for the agent anew, with the new filter. */
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
         request = perceptsRequest(filter)
         session.switchTo(filter)
@@ -84,11 +84,11 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and passes on the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
-     * percepts that the board has [reported] since [askedNanos], the time of the request for the message.
-     * @param seenNanos the times at which percepts older than the message were true
+     * Makes and passes on the snapshot of [message], whose last byte arrived from [port] at [receivedNanos], by the platform's clock. The
+     * snapshot also contains percepts that the board has [reported] since [askedNanos], when the message was requested.
+     * @param seenNanos the percepts older than the message, each with the time at which it was true
      * @param event see [argo.links.BoardMessage.event]
-     * @return true if the message was wanted
+     * @return true if the agent perceives the board on [port]; else the message is dropped
      */
     fun received(
         port: OpenPort,
@@ -115,11 +115,11 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes the newest message from [port], with [percept] in it, into a snapshot, and passes this on. The board has reported [percept] at
-     * [receivedNanos] because it meets [rule].
+     * Makes and passes on a snapshot of the newest message from [port] with [percept] in it. The board's report of [percept] arrived at
+     * [receivedNanos]; the percept meets [rule].
      *
-     * @param outcome the outcome of the rule's reflex
-     * @return true if the report was wanted
+     * @param outcome the outcome of the reflex of [rule]
+     * @return true if the agent perceives the board on [port]; else the report is dropped
      */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean {
         val text = perceptsOf(percept).firstOrNull()
@@ -141,7 +141,7 @@ internal class BoardPercepts(
         }
     }
 
-    /** Returns the times at which the percepts of a message with [reported] ones were seen; null: all were seen at [receivedNanos]. */
+    /** Returns [Snapshot.seenNanos] of a message to which the percepts [reported] were added; null: all were seen at [receivedNanos]. */
     private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
         if (reported.isEmpty() && seenNanos.isEmpty()) return null
         val older = reported.flatMap(reader::read).toSet()
@@ -150,8 +150,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes the newest snapshot with the held-back percepts that are due now, if any, and passes it on. Does not wait for a sensing thread
-     * that is making a snapshot: the due percepts go into that snapshot.
+     * If held-back percepts are due now, adds them to the newest snapshot and passes it on. Does not wait for a sensing thread that is
+     * making a snapshot, since that snapshot will contain the due percepts.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -166,7 +166,7 @@ internal class BoardPercepts(
     /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Forgets pending snapshots, held-back percepts, readings and met rules, since they are of another time or another board. */
+    /** Forgets waiting snapshots, held-back percepts, readings and met rules, since they belong to an earlier time or to another board. */
     fun forget() = lock.withLock {
         session.forget()
         newest = null
@@ -198,7 +198,7 @@ internal class BoardPercepts(
         leave(port, perception, receivedNanos, seenNanos, event?.let { eventOf(it, perception.percepts) })
     }
 
-    /** Returns the event [text] in the form that it has among [percepts]; null: the filter drops it. */
+    /** Returns the event whose percept has this [text], if [percepts] contains the percept; null: the filter has dropped it. */
     private fun eventOf(text: String, percepts: List<Literal>): PerceptEvent? {
         if (text.isEmpty()) return PerceptEvent(emptyList(), emptyList())
         return reader.read(text).filter(percepts::contains).takeIf { it.isNotEmpty() }?.let { PerceptEvent(listOf(text), it) }

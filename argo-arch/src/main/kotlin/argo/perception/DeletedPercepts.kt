@@ -11,8 +11,8 @@ import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
 
 /**
- * Puts namespaces back into the events of deleted percepts. When `left::dist(f,30)` is deleted, Jason makes the event `-dist(f,30)`, but
- * looks for plans for `-left::dist(f,30)`. Belongs to the agent's thread.
+ * Adds the missing namespaces to events of deleted percepts. When Jason deletes `left::dist(f,30)` and finds a plan for
+ * `-left::dist(f,30)`, it makes the event `-dist(f,30)`, for which there is no plan. For the agent's thread only.
  */
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()
@@ -33,7 +33,7 @@ internal class DeletedPercepts {
         if (deleted.isEmpty()) return
         val waiting = deleted.toMutableList()
         deleted = emptyList()
-        for (event in queue.reversed()) { // the new events are the last
+        for (event in queue.reversed()) { // the new events are at the end
             if (waiting.isEmpty()) return
             val literal = deletedPercept(event) ?: continue
             val index = waiting.indexOfFirst { it.functor == literal.functor && it.terms.orEmpty() == literal.terms.orEmpty() }

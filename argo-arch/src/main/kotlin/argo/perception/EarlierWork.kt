@@ -12,9 +12,9 @@ import java.util.IdentityHashMap
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * The queues of an agent in Jason, which any thread may go through.
+ * The queues of an agent in Jason. Any thread may read them.
  *
- * @property isStanding returns true if Jason takes no event from its queue now, as while an atomic plan runs or waits
+ * @property isStanding returns true if Jason takes no event from its queue now, as while an atomic plan runs or is suspended
  * @property running returns the intentions that wait for their next step
  * @property events returns the events that wait
  */
@@ -25,19 +25,19 @@ internal class ReasoningQueues(
 )
 
 /**
- * The work that the last snapshot of a board has left to the agent: 1. the snapshot's percept events in Jason's queue, but no later events:
- *    those of a busy Jason environment could keep the agent from its sensors for good. While the queue stands, the agent awaits no event,
- *    only [ATOMIC_PLAN_INTERVAL_MS]. So an atomic plan sees the world too. But each snapshot during an atomic plan adds events. Jason goes
- *    through all of them in each cycle, and the agent must work them off later;
- * 2. the commands that the board holds and that were issued before the snapshot was handed over;
- * 3. the intentions that percept events of the board have begun. Such an intention is done when it has finished, or waits, as for the
- *    outcome of a command. An intention that still runs after [LONG_MS] is no longer awaited, since it is meant to run on. Jason handles
- *    one event a cycle, so without (1) events pile up. The line is slower than the agent, so without (2) commands pile up. Jason runs one
- *    step a cycle, so without (3) intentions pile up. If all commands were awaited, a plan that loops on `argo.act` would starve sensing.
- *    Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's thread.
+ * The work that a board's snapshot has left to the agent, from its hand-over on:
+ * 1. the snapshot's percept events in Jason's queue. Jason handles one event a cycle, so events would pile up if snapshots did not wait for
+ *    them. Later events are not awaited: a busy Jason environment could keep the agent from its sensors for good. While Jason takes no
+ *    event, as during an atomic plan, the agent awaits only [ATOMIC_PLAN_INTERVAL_MS], so an atomic plan sees the world too;
+ * 2. the commands that the board holds and that were issued before the hand-over. They would pile up, since the line is slower than the
+ *    agent. If later commands were awaited too, a plan that loops on `argo.act` would keep the agent from its sensors;
+ * 3. the intentions that percept events of the board have begun. They would pile up, since Jason runs one step a cycle. An intention is
+ *    awaited until it has finished, or waits, for example for the outcome of a command. After [LONG_MS] it is no longer awaited, since it
+ *    is meant to run on.
+ * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; only the agent's thread may call the other functions.
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
- * @param isOwn returns whether a percept belongs to the board, or to none that the agent perceives; called by any thread
+ * @param isOwn returns true if a percept belongs to the board, or to no board that the agent perceives; called by any thread
  */
 internal class EarlierWork(
     val commands: CommandLedger,
@@ -45,38 +45,38 @@ internal class EarlierWork(
     private val nowMs: () -> Long = Platform.system.nowMs,
     private val isOwn: (Literal) -> Boolean = { true },
 ) {
-    /** The percept events in the queue when the last snapshot was taken in; null: it has not been taken in, or the queue stands. */
+    /** The percept events in the queue when the last snapshot's had just joined it; null: they have not joined it, or Jason takes none. */
     @Volatile
     private var events: Set<Event>? = null
 
-    /** The time of the last hand-over; null: none yet. */
+    /** The time of the last hand-over; null: there was none. */
     @Volatile
     private var handedOverMs: Long? = null
 
     @Volatile
     private var lastCommand = 0L
-    private val deadlines = ConcurrentHashMap<Intention, Long>() // the time in ms until which each intention is awaited
+    private val deadlines = ConcurrentHashMap<Intention, Long>() // the time, in ms, until which each intention is awaited
 
     /** The number of events in Jason's queue, of any kind. */
     val waitingEvents: Int get() = queues.events().size
 
-    /** Notes that a snapshot is being handed over: the work that it leaves is awaited from now on. */
+    /** Notes that a snapshot is being handed over, whose work is awaited from now on. */
     fun begin() {
         lastCommand = commands.lastIssued()
         events = null
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot has been taken in: events that join the queue later do not belong to it. */
+    /** Notes that the last snapshot's events have joined the queue: events that join later do not belong to this snapshot. */
     fun takenIn() {
-        if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
+        if (events != null || queues.isStanding()) return // only once a snapshot: the queue may hold tens of thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
     }
 
     /**
      * Returns true if no work is left.
-     * @param isAwaited true: the agent's thread asks because a snapshot waits. Such a call limits the time for which the agent awaits
-     * intentions, if only intentions are left
+     * @param isAwaited true: the agent's thread asks because a snapshot waits. If only intentions are left, such a call sets the time until
+     * which they are awaited
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
@@ -87,7 +87,7 @@ internal class EarlierWork(
         begun.forEach { deadlines.putIfAbsent(it, deadline) }
     }
 
-    /** Returns the kind of work that is left, in words; null: none. */
+    /** Returns the kind of work that is left, in words; null: no work is left. */
     fun kindLeft(): String? = kindLeft(isAwaited = false)
 
     private fun kindLeft(isAwaited: Boolean): String? {
@@ -98,7 +98,7 @@ internal class EarlierWork(
         return if (begun.any(::awaits)) "plans that earlier percepts have begun still run" else null
     }
 
-    /** Returns the ms until commands to other boards are no longer awaited; null: none are awaited. */
+    /** Returns the ms until commands to other boards are no longer awaited; null: no such command is awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
 
     private fun areEventsDone() =
@@ -121,10 +121,13 @@ internal class EarlierWork(
     }
 
     companion object {
-        /** The least ms between two hand-overs while Jason takes no event, as during an atomic plan. */
+        /**
+         * The shortest time, in ms, between two hand-overs while Jason takes no event, as during an atomic plan. The events that each
+         * hand-over adds meanwhile slow down each cycle, and must all be handled later.
+         */
         const val ATOMIC_PLAN_INTERVAL_MS = 100
 
-        /** The ms for which an intention is awaited; longer if the events of the last snapshot took longer. */
+        /** The ms for which an intention is awaited. If a snapshot's other work took longer, its intentions are awaited as long again. */
         const val LONG_MS = 1000L
     }
 }

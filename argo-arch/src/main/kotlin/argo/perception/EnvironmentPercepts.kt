@@ -5,8 +5,8 @@ import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**
- * An agent's percepts from its Jason environment, through its active filter. An environment returns nothing if nothing has changed, so this
- * keeps the last result. Belongs to the agent's thread.
+ * The percepts that an agent gets from its Jason environment through its active filter. An environment returns null if nothing has changed,
+ * so this object keeps the last result. For the agent's thread only.
  *
  * @param known the last known result of the environment
  * @param nowMs a clock in ms that never goes back
@@ -21,14 +21,14 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     var percepts: List<Literal> = last
         private set
 
-    /** Perceives through [filter] from the next perception on; null: everything. */
+    /** Uses [filter] from the next perception on; null: no filter. */
     fun switchTo(filter: PerceptionFilter?) {
         session.switchTo(filter)
         dueMs = null
         filterIsNew = true
     }
 
-    /** Takes the result of the next architecture's `perceive()`; null: no news. Returns true if [percepts] may have changed. */
+    /** Takes in [news] from the next architecture's `perceive()`; null: nothing is new. Returns true if [percepts] may have changed. */
     fun update(news: Collection<Literal>?): Boolean {
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())
@@ -43,7 +43,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Returns true if [update] has something to do even without news. */
+    /** Returns true if a call of [update] may change [percepts] even without news. */
     fun isWaiting(): Boolean = filterIsNew || dueInMs() == 0L
 
     fun explain(percept: Literal): String = session.explain(percept, nowMs()).toString()

@@ -9,13 +9,13 @@ import jason.bb.StructureWrapperForLiteral
 import java.util.Queue
 
 /**
- * Puts the events of new [critical] percepts ahead of all others in [queue]. The order within each of the two groups stays. Other threads
- * may add events at the same time; no event is lost.
+ * Moves the events of the new percepts in [critical] to the front of [queue]. Within these and within all other events, the order stays.
+ * Other threads may add events at the same time; no event is lost.
  */
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
     if (queue.none { tellsOf(it, wanted) }) return
-    val waiting = generateSequence(queue::poll).toList() // the whole queue, since a partial move could miss an event of another thread
+    val waiting = generateSequence(queue::poll).toList() // the whole queue: a partial move could miss another thread's event
     val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
     queue.addAll(urgent)
     queue.addAll(others)
@@ -28,12 +28,12 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
 }
 
 /**
- * Lets the percept events of several boards take turns in Jason's queue. Jason takes one event a cycle, so a board with many events would
- * delay other boards.
+ * Lets the percept events of several boards take turns in Jason's queue. Otherwise a board with many events would delay other boards, since
+ * Jason takes one event a cycle.
  *
- * @param queue the agent's event queue; other threads may add events at the same time; none is lost
+ * @param queue the agent's event queue. Other threads may add events at the same time; no event is lost
  * @param waiting the number of events that were in the queue before those of the new snapshots
- * @param boardOf returns the board of a percept; null: none
+ * @param boardOf returns the board of a percept; null: no board
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {
     val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)
@@ -44,6 +44,6 @@ internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> 
     queue.addAll(inTurns(lanes) + others)
 }
 
-/** Returns the first element of each lane, then the second of each lane, and so on. */
+/** Returns the first element of each list in [lanes], then the second element of each, and so on. */
 private fun <T> inTurns(lanes: List<List<T>>): List<T> =
     (0 until lanes.maxOf { it.size }).flatMap { i -> lanes.mapNotNull { it.getOrNull(i) } }

@@ -8,14 +8,14 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done. A snapshot is handed over
- * at once if it has a critical percept that the last snapshot did not have. Until the hand-over, only a newer snapshot that meets the same
- * critical rules replaces such a snapshot. So there are never more such snapshots than critical rules. If a board is always critical,
- * events must not pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once; further ones wait until
- * the work is done. Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. If more than
- * [MAX_EVENTS] wait, the oldest are lost.
- * @param tellLost called at each loss, with the number of lost events
- * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the kind of work that they wait for
+ * Keeps only the newest snapshot, and hands it over when the [work] that the previous one has left to the agent is done. A snapshot with a
+ * critical percept that the previous one did not have is called critical, and handed over at once. Until then, only a newer snapshot that
+ * meets the same critical rules replaces it. So there are never more critical snapshots than critical rules. While [MANY_EVENTS] wait in
+ * Jason's queue, each rule lets only one critical snapshot pass at once; the others wait for the work, so that events do not pile up. Each
+ * [event][Snapshot.event] of a board is handed over in its turn, with the newest of all other percepts. If more than [MAX_EVENTS] wait, the
+ * oldest are lost.
+ * @param tellLost called at each loss, with the number of events lost so far
+ * @param tellLate called without the lock if snapshots have waited longer than [LATE_MS]; `why` is the kind of work for which they wait
  */
 internal class FreshHandOver(
     private val work: EarlierWork,
@@ -28,14 +28,14 @@ internal class FreshHandOver(
     private var last: Snapshot? = null // the snapshot that was taken last, without its event
     private var lost = 0L
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since the last one that came in its turn
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass before the work was done, since it was last done
 
     private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 
     @Volatile
     private var newest: Snapshot? = null
 
-    /** True if the next snapshot waits for no work: see [catchUp]. */
+    /** True if the next snapshot need not wait for any work: see [catchUp]. */
     @Volatile
     private var isCatchingUp = false
 
@@ -143,13 +143,13 @@ internal class FreshHandOver(
     }
 
     companion object {
-        /** When snapshots have waited for this time in ms, this is reported. */
+        /** The time in ms after which waiting snapshots are reported. */
         const val LATE_MS = 2000L
 
-        /** While fewer events than this wait, a critical snapshot is handed over at once. */
+        /** While fewer events than this number wait, each critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
 
-        /** The most events that wait for an agent. */
+        /** The largest number of events that wait for their hand-over. */
         const val MAX_EVENTS = 1000
     }
 }

@@ -4,31 +4,31 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other. The agent's thread calls [take] in each of
- * its perceptions; any thread may call the other functions.
+ * Passes snapshots from the sensing thread to the agent's thread; neither waits for the other. The agent's thread calls [take] in each
+ * perception; any thread may call the other functions.
  */
 internal interface HandOver {
-    /** Puts [snapshot] down for the agent. [snapshot] may be dropped if a snapshot of a newer message is there. */
+    /** Keeps [snapshot] for the agent. May drop it if there is a snapshot of a newer message. */
     fun put(snapshot: Snapshot)
 
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if [take] would return a snapshot now that need not wait for other boards' answers. */
+    /** Returns true if [take] would return a snapshot now, and this snapshot need not wait for other boards' answers. */
     fun isUrgent(): Boolean = isReady()
 
-    /** Returns the ms until a snapshot may become ready even without news; null: no snapshot will. */
+    /** Returns the ms after which a snapshot may become ready even without news; null: none may become ready. */
     fun dueInMs(): Long? = null
 
-    /** Takes the snapshot to perceive now; null: none is ready. */
+    /** Removes and returns the snapshot that the agent perceives now; null: none is ready. */
     fun take(): Snapshot?
 
-    /** Takes out all snapshots, in the order of their messages. */
+    /** Removes and returns all snapshots, in the order of their messages. */
     fun drain(): List<Snapshot>
 
     /**
-     * Makes the newest snapshot the next to be taken, whatever work is left, and drops all earlier ones, since the agent was paused.
-     * Returns how many of the dropped snapshots the agent would have perceived.
+     * Called after a pause of the agent. Drops all snapshots but the newest, which the agent gets next, whatever work is left. Returns how
+     * many of the dropped snapshots the agent would have perceived.
      */
     fun catchUp(): Int
 
@@ -36,7 +36,7 @@ internal interface HandOver {
     fun clear()
 }
 
-/** Hands over every snapshot in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost, with one warning. */
+/** Hands over every snapshot, in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()

@@ -8,8 +8,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The times at which believed percepts were last in a message of their board. Holds at most about twice as many percepts as the agent
- * believes and is about to believe. Safe for use by several threads.
+ * The times at which a message of a board last contained each percept. Holds at most about twice as many percepts as the agent believes and
+ * is about to believe. Safe for use by several threads.
  * @param believed returns the board's percepts that the agent believes now; called by any thread
  */
 internal class LastSeen(private val believed: () -> Collection<Literal>) {
@@ -17,10 +17,10 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
     private val lastSeen = HashMap<StructureWrapperForLiteral, Long>()
 
     /**
-     * Takes a message that arrived at [atNanos], by the platform's clock.
+     * Notes that a message arrived at [atNanos], by the platform's clock.
      *
      * @param seen the message's percepts that the filter lets through
-     * @param delivered all percepts that the agent will believe after the message: also frozen ones, and stand-ins for held-back ones
+     * @param delivered all percepts that the agent will believe after the message, also those that come from earlier messages
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
         for (percept in seen) {
@@ -31,13 +31,13 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
         }
     }
 
-    /** Returns when [percept] was last seen, by the platform's clock; null: it is no board's percept. Annotations do not matter. */
+    /** Returns when [percept] was last seen, by the platform's clock; null: no message has contained it. Annotations do not matter. */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
 
     /**
-     * Returns the percept in [beliefs] that unifies with [percept] under [un] and was seen last, with the time; null: none.
+     * Of the percepts in [beliefs] that unify with [percept] under [un], returns the one that was seen last, with the time; null: none.
      *
-     * Called by the agent's thread, to which [beliefs] and [un] belong.
+     * Called by the agent's thread.
      *
      * @param nowNanos the time by the platform's clock
      */

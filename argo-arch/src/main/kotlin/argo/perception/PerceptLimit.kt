@@ -4,15 +4,15 @@ import argo.platform.RateLimitedWarning
 import jason.asSyntax.Literal
 
 /**
- * Limits how many percepts of a board an agent believes at once. Critical percepts come first, then others in the order of the message; the
- * rest is left out. The log warns once, and warns again only after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by
- * several threads at once.
+ * Limits how many percepts of a board an agent believes at once. Critical percepts are chosen first, then others in the order of the
+ * message; the rest is left out. The log warns once, and warns again only after [RateLimitedWarning.QUIET_MS] without excess. Not safe for
+ * use by several threads at once.
  *
- * @param max the most percepts
- * @param warning takes the message when the limit is exceeded
+ * @param max the largest number of percepts
+ * @param warning logs that the limit is exceeded
  */
 internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
-    /** Returns the first [max] different percepts among [percepts]; those in [critical] come before others. */
+    /** Chooses [max] different percepts in [percepts], first those in [critical], and returns them in the order of [percepts]. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
         if (percepts.size <= max) return percepts
         val different = percepts.distinct()

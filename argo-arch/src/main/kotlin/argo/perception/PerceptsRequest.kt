@@ -6,14 +6,14 @@ import javino.Frame
 import javino.PerceptsRequest
 
 /**
- * Returns the request to a board of version 2 while [filter] is active. If the filter lets through only percepts of some functors, the
- * request is `getPercepts(dist,light)`, so other percepts take no time on the line. If any percept may pass, it asks for everything.
+ * Returns the request to a board of version 2 while [filter] is active. If the filter passes only percepts with certain functors, the
+ * request names these, as in `getPercepts(dist,light)`, so other percepts take no time on the line. Otherwise it asks for all percepts.
  */
 internal fun perceptsRequest(filter: PerceptionFilter?): String =
     filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD }
         ?: PerceptsRequest.ALL
 
-/** Returns the functors whose percepts the filter needs; null: it may need any. A board sends `~open` under `open`. */
+/** Returns the functors of all percepts that the filter needs; null: it may need any. To a board, `~open` has the functor `open`. */
 private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })
     .takeIf { filter.mode == PerceptionFilter.Mode.KEEP && it.isNotEmpty() }
     ?.takeIf { rules -> rules.all { it.rate == null && isPlain(it.predicate) } }

@@ -9,9 +9,9 @@ import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
 /**
- * Finds the filter that [agent] calls [name]; null: [name] is `none`, which lets everything through. ProjectFilters looks at the filters of
- * services, in the directory in which the project was started, in the directory of the agent's `.asl`, in `filters/` below both, and in
- * `filters/` on the class path.
+ * Finds the filter that [agent] calls [name]; null: [name] is `none`, which means no filter. Looks among the filters of services, in the
+ * directory in which the project was started, in the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the
+ * class path.
  * @throws argo.filters.FilterNotFoundException if there is no such filter
  * @throws argo.filters.FilterException if the filter is refused
  */

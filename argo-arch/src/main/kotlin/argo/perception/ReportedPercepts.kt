@@ -4,8 +4,8 @@ import argo.filters.CriticalRule
 import javino.wire.Shape
 
 /**
- * The percepts that a board has reported since the request for the newest message, the last one for each critical rule. These percepts are
- * kept because the board may have made the message before the reports. Not safe for use by several threads at once.
+ * The percepts that a board has reported since the request for its newest message: for each critical rule, the last report. They are kept
+ * because the board may have made the message before the reports. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
@@ -20,7 +20,7 @@ internal class ReportedPercepts {
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** Drops reports from before [askedNanos], when a message that has come was requested: the message contains them. */
+    /** Drops reports from before [askedNanos], the time of the request for a message that has come: the message is newer. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
@@ -40,7 +40,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** Returns how many of [numbers] stand in the same places in [other]: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
+    /** Returns how many of [numbers] are at the same places in [other]: `sonar(2,9)` replaces `sonar(2,40)`, not `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

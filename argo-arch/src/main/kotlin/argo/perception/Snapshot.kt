@@ -9,14 +9,14 @@ import jason.asSyntax.Literal
  * The percepts that reach the agent from one message of a board.
  *
  * @property port the port of the board that sent the message
- * @property texts the percepts as they came off the line
- * @property kept the percepts that passed the filter, and stand-ins for percepts that the filter holds back
+ * @property texts the percepts as the board sent them
+ * @property kept the percepts that the filter lets through, and the percepts that replace held-back ones
  * @property percepts the beliefs that the agent gets from the message
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable the percepts in [kept] that cannot be believed
- * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message contained
- * this percept. Without this function, all were seen at [receivedNanos]
+ * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if only an older message
+ * contained it. If the function itself is null, all were seen at [receivedNanos]
  * @property event the event among the percepts, see [argo.links.BoardMessage.event]
  */
 internal class Snapshot(
@@ -43,5 +43,5 @@ internal class Snapshot(
         Snapshot(port, texts, kept, percepts, receivedNanos, critical, unreadable, seenNanos, event)
 }
 
-/** An event that the agent perceives in its turn, as texts and as beliefs; if both are empty, it is the gap between two equal events. */
+/** An event, see [argo.links.BoardMessage.event], as texts and as beliefs. If both are empty, it is the gap between two equal events. */
 internal class PerceptEvent(val texts: List<String>, val percepts: List<Literal>)

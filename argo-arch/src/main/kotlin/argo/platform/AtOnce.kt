@@ -4,8 +4,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items] on a separate thread called [name], or on this thread if the machine has no other. Returns when all work
- * has ended. An exception of [work] ends only its thread.
+ * Does [work] for each of [items] on a separate thread called [name], or on the calling thread if the machine has no thread left. Returns
+ * when all work has ended. An exception of [work] ends only its thread.
  */
 internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {
     if (items.size < 2) return items.forEach(work)
@@ -25,7 +25,7 @@ internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, wor
         }
         try {
             start(name(item), run)
-        } catch (_: OutOfMemoryError) { // Java throws an error if there is no thread
+        } catch (_: OutOfMemoryError) { // Java throws this error if the machine has no thread left
             run()
         }
     }

@@ -9,8 +9,8 @@ import java.lang.reflect.Method
 /**
  * The plan library of an agent in Jason.
  *
- * Jason 3.3.0 and 3.2.1 have the library's class in different packages, and a program is compiled with one version. This class calls the
- * methods of both versions by name; no other code may name Jason's class. For the agent's thread.
+ * The library's class is in different packages in Jason 3.3.0 and 3.2.1, and compiled code can name only one of them. So this class calls
+ * the methods of both versions by reflection; no other code may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */
@@ -19,7 +19,7 @@ class Plans private constructor(val library: Any) {
     @Suppress("UNCHECKED_CAST")
     val all: List<Plan> get() = call(ALL, library) as List<Plan>
 
-    /** Returns a copy of the plans in their order. Any thread may call; a plan that is just being added may be missing. */
+    /** Returns a copy of the plans in their order. Any thread may call. A plan that is being added at this moment may be missing. */
     fun copy(): List<Plan> = ArrayList<Plan?>(all).filterNotNull()
 
     /** Returns true if a plan may be relevant to an event with [trigger]. */
@@ -31,7 +31,7 @@ class Plans private constructor(val library: Any) {
         plans.forEach { call(ADD, library, it) }
     }
 
-    /** True if a plan is for the state of a goal: `^!goal[state(S)]`. */
+    /** True if a plan has the state of a goal as its trigger: `^!goal[state(S)]`. */
     val hasMetaEvents: Boolean get() = call(HAS_META_EVENTS, library) as Boolean
 
     companion object {
@@ -45,10 +45,9 @@ class Plans private constructor(val library: Any) {
         private val SET_OF_AGENT: Method = Agent::class.java.getMethod("setPL", TYPE)
         private val ADD = TYPE.getMethod("add", Plan::class.java)
 
-        /** Returns the plans of [agent]. */
         fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
 
-        /** Lets [read] add plans to [agent], and returns the added plans. The agent keeps the plans that it had. */
+        /** Returns the plans that [read] adds to [agent]. Afterwards the agent has the same plans as before. */
         fun readInto(agent: Agent, read: () -> Unit): List<Plan> {
             val before = of(agent)
             val empty = TYPE.getConstructor().newInstance()

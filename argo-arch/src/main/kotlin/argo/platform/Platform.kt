@@ -18,33 +18,30 @@ import java.util.logging.Logger
  * time. Any thread may call.
  */
 interface Platform {
-    /** The clock of the architecture; its threads wait on the clock's locks. */
+    /** The clock of the architecture, whose threads wait on locks of this clock. */
     val clock: LineClock
 
-    /** The boundary of the agents on this platform, as in a replay; null: their inputs come from [open] ports and from Jason. */
+    /** The boundary that gives agents on this platform their inputs, as in a replay; null: inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
-    /** True if the whole world stands still while an agent's thread stands, as in virtual time and in a replay. */
+    /** True if the world and its time stop while an agent's thread is blocked, as in virtual time and in a replay. */
     val standsStill: Boolean get() = false
 
     /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /** Does [action] in [delayMs] ms of [clock], unless all has ended meanwhile. [action] must not wait. Its exceptions are logged. */
+    /** Does [action] in [delayMs] ms of [clock], unless the whole system has ended. [action] must not wait. Its exceptions are logged. */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
-     * Opens a port for the agent [owner]. Opening may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
+     * Opens a port for the agent [owner]. Opening may take seconds. See [Link.open] and [BoardLinkProvider.open] for times and exceptions.
      */
     fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
-    /**
-     * Returns true if [port] can be opened, as far as that shows without opening it. Called about once a second while a device is missing.
-     */
+    /** Returns true if [port] can probably be opened; does not open it. Called about once a second while a device is missing. */
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
-        /** The machine. */
         val system: Platform = object : Platform {
             override val clock: LineClock = LineClock.system()
 
@@ -57,7 +54,7 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the whole system is being stopped, so nobody needs the action any more
+                    // the multi-agent system is being stopped, so nobody needs the action any more
                 }
             }
 

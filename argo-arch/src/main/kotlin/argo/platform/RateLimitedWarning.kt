@@ -4,16 +4,16 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Logs a condition once when it begins, but not again while it lasts, or comes and goes. So a board that causes it all the time does not
- * fill the log. A condition ends after [QUIET_MS] without an occurrence. If there are more than [MAX_KINDS] conditions, the log says only
- * that there are others. Safe for use by several threads.
+ * Logs a condition once when it begins. A condition lasts until it has not occurred for [QUIET_MS]. So a board that causes it again and
+ * again does not fill the log. If more than [MAX_KINDS] conditions last, the log says only that there are others. Safe for use by several
+ * threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param warn takes the message
+ * @param warn logs the message
  */
 internal class RateLimitedWarning(private val nowMs: () -> Long, private val warn: (String) -> Unit) {
     private val lock = ReentrantLock()
-    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds for which there was no room
+    private val lastMs = HashMap<String?, Long>() // by kind; the key null is for all kinds beyond [MAX_KINDS]
 
     /** Notes that the condition [kind] occurs now. */
     fun report(kind: String, message: () -> String) {
@@ -32,10 +32,10 @@ internal class RateLimitedWarning(private val nowMs: () -> Long, private val war
     }
 
     companion object {
-        /** A condition ends after this time without an occurrence, in ms. */
+        /** A condition that has not occurred for this time, in ms, has ended. */
         const val QUIET_MS = 60_000L
 
-        /** The most conditions at a time that are told apart. */
+        /** The largest number of conditions that are told apart at a time. */
         const val MAX_KINDS = 100
     }
 }

@@ -8,8 +8,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place], whatever
- * the order of installation; [below] is the next layer.
+ * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place], in
+ * whichever order they are installed. [below] is the next lower layer.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
     /** Does [work] after [delay]. */
@@ -29,9 +29,9 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
-    /** The place of a layer. */
+    /** The place of a layer in the stack, from the bottom. */
     enum class Place {
-        /** The layer that decides when a timer ends; it lies directly on Jason's scheduler. */
+        /** The layer that decides when a timer ends, directly above Jason's scheduler. */
         TIME,
 
         /** The layer that sees each timer of an agent, whichever layer ends the timer. */
@@ -48,8 +48,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         private var installed = listOf<Installed>()
 
         /**
-         * Puts a layer at its [place] in Jason's scheduler, for all agents of this program, unless a layer of [kind] is there. [make]
-         * returns the layer for the scheduler below it. A layer has no state, so it may be made again for another scheduler below.
+         * Puts a layer at its [place] above Jason's scheduler, for all agents of this program, unless a layer of [kind] is installed.
+         * [make] returns the layer above a given scheduler. A layer has no state, so [make] may be called again for another one.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

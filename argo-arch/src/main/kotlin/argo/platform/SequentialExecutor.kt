@@ -21,7 +21,7 @@ internal class SequentialExecutor(private val platform: Platform, private val na
 
     private fun startUnlessWorking() {
         if (working) return
-        platform.start(name, ::doAll) // doAll takes the lock first; without a thread for it, the next work tries again
+        platform.start(name, ::doAll) // doAll waits for the lock; if no thread can be started, the next work tries again
         working = true
     }
 

@@ -5,7 +5,7 @@ import java.net.URISyntaxException
 import java.nio.file.Path
 import kotlin.io.path.Path
 
-/** Returns true if both name one file of a program. Jason names a file by its whole path, by a URL or by its last part. */
+/** Returns true if both names mean the same file of a program. Jason names a file by its whole path, by a URL or by its last part. */
 internal fun isSameFile(one: String?, other: String?): Boolean {
     if (one == null || other == null) return one == other
     val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }
@@ -17,7 +17,7 @@ fun pathOf(address: String): Path? = try {
     when {
         address.startsWith("file:/") -> Path.of(URI(address))
         address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-        ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further to the left
+        ':' in address.drop(2) -> null // a URL; the colon of a Windows drive is the second character
         else -> Path.of(address)
     }?.toAbsolutePath()?.normalize()
 } catch (_: URISyntaxException) {

@@ -4,12 +4,12 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps repeated events from filling a log. The first [FREE] lines of a kind go out at once; later lines go out at growing intervals, from
- * a second to five minutes. A later line is the newest of its kind and says how many were left out. So the last line of a kind always
- * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
+ * Keeps repeated events from filling a log. The first [FREE] lines of a kind are written at once. After that, the newest line of the kind
+ * is written at growing intervals, from a second to five minutes, and says how many lines were left out. So the last line of a kind always
+ * appears. If a kind has no line for a minute, it counts as new. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param later does its last argument after the number of ms that is its first argument
+ * @param later calls `action` after `delayMs` ms
  */
 class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Long, action: () -> Unit) -> Unit) {
     private class Kind {
@@ -24,8 +24,8 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     private val kinds = HashMap<String, Kind>()
 
     /**
-     * Reports a line of [kind]; there are few kinds.
-     * @param line writes the line with its argument at the end. Called once, now or later; never if a newer line replaces it
+     * Reports a line of [kind]. Use few kinds, since each is kept.
+     * @param line writes the line, followed by `more`. Called at most once, now or later: not at all if a newer line replaces this one
      */
     fun report(kind: String, line: (more: String) -> Unit) {
         var delayMs = 0L
@@ -38,7 +38,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
     }
 
-    /** Returns the ms after which the newest line must be written; 0: this is arranged already. */
+    /** Returns the ms after which the newest line must be written; 0: an earlier call has returned this time. */
     private fun hold(kind: Kind, line: (String) -> Unit): Long {
         kind.newest = line
         if (kind.held++ > 0) return 0
@@ -57,7 +57,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 
     companion object {
-        /** How many lines of a kind go out at once. */
+        /** The number of lines of a kind that are written at once. */
         const val FREE = 10
         private const val FIRST_DELAY_MS = 1_000L
         private const val MAX_DELAY_MS = 300_000L

@@ -4,10 +4,9 @@ import jason.architecture.AgArch
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Wakes an agent that sleeps or is about to.
- * Jason's wake-up is lost between an agent's decision to sleep and its sleep, which lasts up to a second. An agent that asks [maySleep]
- * does not fall asleep after an earlier wake-up. An agent that has decided to sleep but does not sleep yet is woken again at growing
- * intervals, until it has seen the reason. An agent that does not ask is woken in the same way.
+ * Wakes an agent that sleeps or is about to sleep. Jason loses a wake-up that comes between an agent's decision to sleep and its sleep,
+ * which lasts up to a second. So an agent asks [maySleep], which refuses after an earlier wake-up. An agent that has decided to sleep but
+ * does not sleep yet is woken again at growing intervals, until it has seen the reason. So is an agent that does not ask [maySleep].
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
@@ -16,13 +15,13 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     private var perceivedMs = Long.MIN_VALUE
 
     /**
-     * True if the agent was woken since it began to perceive. [wake] writes this, then reads [sleeper]; [maySleep] writes [sleeper], then
-     * reads this.
+     * True if the agent was woken since it last began to perceive. [wake] writes [isWoken], then reads [sleeper]; [maySleep] writes
+     * [sleeper], then reads [isWoken].
      */
     @Volatile
     private var isWoken = false
 
-    /** The thread that was told, since the agent began to perceive, that it may sleep; null: no thread. */
+    /** The thread that has been allowed to sleep since the agent last began to perceive; null: there is none. */
     @Volatile
     private var sleeper: Thread? = null
 
@@ -33,13 +32,13 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var reasoner: Thread? = null
 
-    /** True if one thread perceives and sleeps; null: this is not known yet. Jason also has agents of three threads. */
+    /** True if the same thread perceives and sleeps; false for Jason's agents with three threads; null: this is not known yet. */
     @Volatile
     private var isOneThread: Boolean? = null
 
     /**
-     * Wakes the agent now; if that may be in vain, again until [seen] returns true. Other threads call [seen]. If the calling thread
-     * carries out the agent's cycle, wakes nobody, but keeps that thread from falling asleep after the cycle.
+     * Wakes the agent now; if this wake-up may be lost, wakes it again until [seen] returns true. Other threads call [seen]. If the calling
+     * thread carries out the agent's cycle, only keeps this thread from falling asleep after the cycle.
      */
     fun wake(seen: () -> Boolean) {
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
@@ -65,8 +64,8 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     }
 
     /**
-     * Returns true if the agent was not woken since it began to perceive. The agent's thread calls this last of all, when it decides to
-     * sleep.
+     * Returns true if the agent was not woken since it last began to perceive. The agent's thread calls this last, when it decides whether
+     * to sleep.
      */
     fun maySleep(): Boolean {
         val thread = Thread.currentThread()
@@ -77,9 +76,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         return false
     }
 
-    /**
-     * Notes that the agent falls asleep without asking [maySleep], since an atomic plan waits. Called by its thread at the end of a cycle.
-     */
+    /** Notes that the agent sleeps next without a call of [maySleep]: an atomic plan waits. Called by its thread after a cycle. */
     fun sleepsUnasked() {
         sleeper = Thread.currentThread()
         if (isWoken) wake(FIRST_REPEAT_MS) { !isWoken }

@@ -12,7 +12,7 @@ import java.time.format.DateTimeFormatter
  *
  * @property writtenMs the time of the state, in ms since 1970
  * @property setUp the calls of internal actions that set the agent's boards up as they are, without the prefix `argo.`
- * @property program the beliefs and goals that the agent's program began with
+ * @property program the initial beliefs and goals of the agent's program
  * @property mind the agent's beliefs and the events of its intentions
  */
 internal data class State(
@@ -22,7 +22,7 @@ internal data class State(
     val program: Mind,
     val mind: Mind,
 ) {
-    /** The state as a file in the notation of AgentSpeak. [of] reads it. */
+    /** The state as the text of a file in AgentSpeak's notation, which [of] reads. */
     fun text(): String = buildString {
         appendLine("// The state of agent $agent at ${TIME.format(Instant.ofEpochMilli(writtenMs))}, which argo_resume has it go on from.")
         appendLine("// Without this file the agent begins as its program says.")
@@ -43,7 +43,7 @@ internal data class State(
         private val TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss").withZone(ZoneId.systemDefault())
 
         /**
-         * Returns the state that [State.text] wrote as [text] for [agent].
+         * Returns the state of [agent] that [text] holds, a text from [State.text].
          * @throws UnreadableStateException if [text] is cut off, or a line of it cannot be read
          */
         fun of(agent: String, text: String): State {
@@ -61,7 +61,7 @@ internal data class State(
 
         private fun argumentOf(call: String) = call.substringAfter('(').removeSuffix(")")
 
-        /** Returns the fact in [line], without its full stop. The line has this [number], from 1. */
+        /** Returns the fact in [line], without its full stop. Errors name the line by its [number], from 1. */
         private fun fact(number: Int, line: String): String {
             if (!line.endsWith(".")) throw UnreadableStateException("line $number does not end with a full stop: $line")
             val fact = line.dropLast(1)

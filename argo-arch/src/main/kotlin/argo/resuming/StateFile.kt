@@ -15,7 +15,7 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 
 /**
- * The file that keeps the state of one agent. The file is exchanged as a whole: whatever ends the program or the computer, the file is
+ * The file that keeps the state of one agent. The file is replaced as a whole: even if the program or the computer fails, the file is
  * either the old one or the new one. Functions wait for the disk, and throw [IOException].
  */
 internal class StateFile private constructor(private val path: Path, private val lock: FileChannel?) : AutoCloseable {
@@ -35,7 +35,7 @@ internal class StateFile private constructor(private val path: Path, private val
         forceFolder()
     }
 
-    /** Makes the disk keep the exchange, as far as the system can: Windows opens no folders. */
+    /** Makes the disk keep the renaming, if the system can: Windows cannot, since it opens no folders. */
     private fun forceFolder() {
         try {
             FileChannel.open(path.parent, READ).use { it.force(true) }
@@ -47,7 +47,7 @@ internal class StateFile private constructor(private val path: Path, private val
     /** Renames the file, so that nothing overwrites it. Returns its new name. */
     fun setAside(): Path = Files.move(path, path.resolveSibling("${path.fileName}.broken-${LocalDateTime.now().format(STAMP)}")).fileName
 
-    /** Lets another agent have the file. */
+    /** Gives the file back, so that another agent can have it. */
     override fun close() = synchronized(TAKEN) {
         TAKEN.remove(path)
         lock?.close() ?: Unit
@@ -59,7 +59,7 @@ internal class StateFile private constructor(private val path: Path, private val
         private val TAKEN = HashSet<Path>()
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
-        /** Takes the file at the absolute [path] for an agent; null: another agent has it, of this program or of another one. */
+        /** Reserves the file at the absolute [path] for an agent; null: another agent, of this or another program, has reserved it. */
         fun take(path: Path): StateFile? = synchronized(TAKEN) {
             if (path in TAKEN) return null
             val lock = openLock(path)
@@ -69,8 +69,8 @@ internal class StateFile private constructor(private val path: Path, private val
         }
 
         /**
-         * Opens the file that programs lock, since the state itself is exchanged; null: the folder cannot be written, and each state that
-         * cannot be kept is told.
+         * Opens a second file for the lock, since the state's own file is replaced. Returns null if the folder cannot be written; then each
+         * attempt to write a state reports that.
          */
         private fun openLock(path: Path): FileChannel? = try {
             FileChannel.open(path.resolveSibling("${path.fileName}.lock"), WRITE, CREATE)
@@ -78,7 +78,7 @@ internal class StateFile private constructor(private val path: Path, private val
             null
         }
 
-        /** Locks the file of [channel] until it is closed, or the program has ended. Returns false if another program has locked it. */
+        /** Locks the file of [channel] until [channel] is closed or the program ends. Returns false if another program has locked it. */
         private fun isLocked(channel: FileChannel): Boolean = try {
             channel.tryLock() != null
         } catch (_: OverlappingFileLockException) {

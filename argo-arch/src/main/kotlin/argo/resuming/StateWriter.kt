@@ -9,10 +9,10 @@ import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Logger
 
 /**
- * Writes the states of the agent called [name] to [file], on a thread of its own. While a slow disk writes one state, only the newest of
- * the later states waits. Any thread may call; none waits for the disk.
+ * Writes the states of the agent called [name] to [file], on a separate thread. While a slow disk writes one state, only the newest of the
+ * later states is kept for the next write. Any thread may call; no caller waits for the disk.
  *
- * @param end asks for the last state if Java ends before the agent: [end][StateWriter.end] is called soon
+ * @param end called if Java ends before the agent; makes the agent write its last state and call [end][StateWriter.end]
  */
 internal class StateWriter(
     private val file: StateFile,
@@ -24,7 +24,7 @@ internal class StateWriter(
     private val thread = SequentialExecutor(platform, "argo-$name-state")
     private val next = AtomicReference<State?>()
     private val isEnded = CountDownLatch(1)
-    private var hasFailed = false // of the writing thread
+    private var hasFailed = false // only for the writing thread
     private val farewell = Farewell(MAX_FAREWELL_MS, "argo_resume: the program has ended before agent $name's last state was in $file") {
         end()
         isEnded.await()
@@ -35,7 +35,7 @@ internal class StateWriter(
         thread.execute(::writeNext)
     }
 
-    /** Gives the file back when the last state is written. */
+    /** Gives the file back after the last state has been written. */
     fun end() = thread.execute {
         file.close()
         farewell.close()

@@ -1,11 +1,11 @@
 package argo.sensing
 
 /**
- * The instants at which an agent asks its boards, if it perceives several: the multiples of the sensing interval, counted from the
- * beginning of the clock. So boards with the same interval are asked together.
+ * The instants at which an agent that perceives several boards asks them: the multiples of the sensing interval, from the clock's zero. So
+ * boards with the same interval are asked together.
  */
 internal object Instants {
-    /** Returns the first instant after [startNanos], with an interval of [intervalNanos]; 0: at once. */
+    /** Returns the first instant after [startNanos] for the interval [intervalNanos]; if that is 0, returns [startNanos]. */
     fun after(startNanos: Long, intervalNanos: Long): Long =
         if (intervalNanos == 0L) startNanos else (Math.floorDiv(startNanos, intervalNanos) + 1) * intervalNanos
 }

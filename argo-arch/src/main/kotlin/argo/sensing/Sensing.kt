@@ -10,12 +10,12 @@ import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
-/** Answers the questions of a port's sensing and takes its reports. Called by the port's sensing thread. */
+/** Tells the sensing of a port what the agent wants, and receives its reports. Called by the port's sensing thread. */
 internal interface SensingListener {
-    /** Returns true if [port] is to be sensed now. Any thread; [Sensing.wake] signals a change. */
+    /** Returns true if [port] is to be sensed now. Called by any thread; [Sensing.wake] signals a change. */
     fun isSensed(port: OpenPort): Boolean
 
-    /** The sensing interval in ms, 0: as fast as the line allows. Any thread; [Sensing.wake] signals a change. */
+    /** The sensing interval in ms; 0: as fast as the line allows. Read by any thread; [Sensing.wake] signals a change. */
     val intervalMs: Int
 
     /** Returns the time of the next request to a board that was asked at [startNanos], by the platform's clock. */
@@ -24,10 +24,10 @@ internal interface SensingListener {
     /** Returns the text of the request for the board. Called when the request goes out. */
     fun request(port: OpenPort): String
 
-    /** Returns true if the board on [port] may report critical percepts between two messages. Any thread. */
+    /** Returns true if the board on [port] may report critical percepts between two messages. Called by any thread. */
     fun mayReport(port: OpenPort): Boolean
 
-    /** Takes [message], requested at [askedNanos], by the platform's clock. */
+    /** Receives [message], for which the board was asked at [askedNanos], by the platform's clock. */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long)
 
     /** Reports that the board did not answer in time. */
@@ -41,9 +41,9 @@ internal interface SensingListener {
 }
 
 /**
- * Asks one board for its percepts, or listens to it, on its own thread, while the agent wants to perceive the board. Between two messages
- * it watches the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing keeps no copy of the agent's wishes,
- * but asks [listener] each time, so no change is lost between two threads.
+ * Asks one board for its percepts, or listens to it, while the agent wants to perceive the board. Does so on a separate thread. Between two
+ * messages this thread watches the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing asks [listener]
+ * each time what the agent wants and keeps no copy, so no change is missed.
  */
 internal class Sensing(
     private val port: OpenPort,
@@ -88,10 +88,10 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due; false: the line must be looked at first. */
+    /** Waits until the next request is due and returns true; returns false if the thread must look at the line first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
-        if (wait >= SLICE_NANOS && mayReport()) return false // the thread reads the line in place of this wait
+        if (wait >= SLICE_NANOS && mayReport()) return false // the thread reads the line while it waits
         if (wait > WATCH_NANOS) {
             clock.await(changed, WATCH_NANOS)
             wait = nanosUntilDue()
@@ -103,7 +103,7 @@ internal class Sensing(
         (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** Returns the time until the next request; endless if none is wanted. A board that speaks unasked is listened to all the time. */
+    /** Returns the time until the next request: endless if no request is wanted, 0 if ARGO only listens to the board. */
     private fun nanosUntilDue(): Long = when {
         !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // on a line that is not paced, the agent's own thread takes the messages
         listens() -> 0
@@ -114,7 +114,7 @@ internal class Sensing(
 
     private fun mayReport() = isPaced && !listens() && listener.mayReport(port)
 
-    /** Looks at the line. Drops unwanted messages, unless the agent's own thread takes them. */
+    /** Looks at the line, and drops unwanted messages. Under `argo_sensing=in_cycle`, only checks the line. */
     private fun watch(): Boolean = using {
         when {
             !isPaced -> port.link.check()
@@ -124,10 +124,10 @@ internal class Sensing(
         }
     }
 
-    /** Returns the ms for one look at the line: at most until the next request, and short enough to notice the agent's new wishes. */
+    /** Returns the ms for one look at the line. The look ends by the next request, and soon enough to notice what the agent wants next. */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
-    /** Takes one message from the board, on the caller's thread; returns false if the port is lost. */
+    /** Receives one message from the board, on the caller's thread; returns false if the port is lost. */
     fun exchange(): Boolean = using {
         val timeoutMs = port.options.timeoutMs
         val message = if (listens()) port.link.listen(timeoutMs) else port.link.request(::requestNow, timeoutMs, listener.intervalMs)
@@ -137,7 +137,7 @@ internal class Sensing(
         if (message != null) {
             port.hasSpoken = true
             listener.received(port, message, askedNanos)
-            if (listens()) askedNanos = message.receivedNanos // the board may have begun the next message after this one
+            if (listens()) askedNanos = message.receivedNanos // the board makes the next message after this time
         }
     }
 
@@ -146,7 +146,7 @@ internal class Sensing(
         return listener.request(port)
     }
 
-    /** Does [work] with the line; returns false if the port is lost. */
+    /** Does [work], which uses the line; returns false if the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
         work()
         true
@@ -161,7 +161,7 @@ internal class Sensing(
         unforeseen(unforeseen)
     }
 
-    /** Handles a missing answer. A network's far end may vanish without a word, and come back without knowing the connection. */
+    /** Handles a missing answer. The far end of a network may vanish unnoticed, and return without the connection. */
     private fun unanswered(timeout: PortTimeoutException): Boolean {
         isTimedOut = true
         val isLong = lock.withLock {
@@ -186,7 +186,7 @@ internal class Sensing(
     }
 
     private companion object {
-        /** The longest time in ns until a lost device is noticed while nothing is asked of it. */
+        /** While no requests are sent, a lost device is noticed within this time, in ns. */
         val WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
         const val LOOK_MS = 1
         const val MAX_SLICE_MS = 10L

@@ -7,10 +7,10 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)`, one for each name of the port in use, while no message has come from the port for too long. These beliefs change
- * only in [update], on the agent's thread; any thread may read.
+ * The beliefs `stale(P)`, one for each name of a board's port. The agent has them while no message has come from the port for too long.
+ * They change only in [update], on the agent's thread; any thread may read them.
  * @param nowMs a clock in ms that never goes back
- * @param listened returns the port whose messages the agent perceives now; null: none
+ * @param listened returns the port if the agent perceives its messages now; else null
  * @param intervalMs returns the sensing interval
  */
 internal class StaleBeliefs(
@@ -24,15 +24,15 @@ internal class StaleBeliefs(
     @Volatile
     private var believed: Set<Term> = emptySet()
 
-    /** Begins the wait for the next message: a message has come, or the agent begins to listen. */
+    /** Begins to wait for the next message. Called when a message has come or the agent begins to perceive. */
     fun renew() {
         freshMs = nowMs()
     }
 
-    /** Returns the ms until the port in use is stale; 0: it is stale; null: the agent does not listen, or the board may be silent. */
+    /** Returns the ms until the port is stale; 0: it is stale; null: the agent does not perceive it, or the board may be silent. */
     fun dueInMs(): Long? = listened()?.let { limitMs(it.options, intervalMs()) }?.let { maxOf(0, freshMs + it - nowMs()) }
 
-    /** Recomputes the beliefs; returns true if they changed. */
+    /** Recomputes the beliefs; returns true if they have changed. */
     fun update(): Boolean {
         val now = silent()
         return (now != believed).also { believed = now }
@@ -54,7 +54,7 @@ internal class StaleBeliefs(
 
         /**
          * Returns the ms without a message after which `stale(Port)` is believed; null: never. By default a board may miss one answer, but
-         * not two in a row. By default a board that sends only news is never stale.
+         * not two in a row, and a board that sends without requests is never stale.
          * @param intervalMs the sensing interval in ms
          */
         fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {

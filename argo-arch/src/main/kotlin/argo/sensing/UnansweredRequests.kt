@@ -2,12 +2,12 @@ package argo.sensing
 
 import java.util.concurrent.TimeUnit
 
-/** Counts the requests in a row that a board has not answered, and keeps the time of the first. Guarded by its user's lock. */
+/** Counts the requests in a row that a board has not answered, and keeps the time of the first. Its user guards it by a lock. */
 internal class UnansweredRequests {
     private var sinceNanos = 0L
     private var count = 0
 
-    /** Counts one more unanswered request; at [nowNanos] its time was over. */
+    /** Counts one more unanswered request, whose time limit was over at [nowNanos]. */
     fun add(nowNanos: Long) {
         if (count++ == 0) sinceNanos = nowNanos
     }

@@ -7,8 +7,8 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] gets the result, or the mistake
- * in the file; after a mistake the agent goes on unchanged.
+ * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] gets the result. If a file has
+ * a mistake, [log] gets the mistake, and the agent goes on unchanged.
  */
 internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
     private val closing = CountDownLatch(1)

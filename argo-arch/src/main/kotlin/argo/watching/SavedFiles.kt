@@ -7,8 +7,8 @@ import java.nio.file.attribute.BasicFileAttributes
 import java.nio.file.attribute.FileTime
 
 /**
- * Notices that files have been saved, by looking at them again and again. A file counts as saved when it has changed and then stayed the
- * same from one look to the next, since many editors write a file in several steps. Not safe for use by several threads.
+ * Notices by repeated looks that files have been saved. A file counts as saved when it has changed and is then the same at two looks in a
+ * row, since many editors write a file in several steps. Not safe for use by several threads.
  *
  * @param stampOf returns the state of a file; null: it cannot be read
  */
@@ -17,8 +17,8 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
     private var seen: Map<Path, FileStamp?> = emptyMap()
 
     /**
-     * Looks at [files], and returns those that have been saved since they were last returned. Files that were not in the last look count as
-     * unchanged.
+     * Looks at [files], and returns those that were saved since they were last returned. A file that the last look did not include counts
+     * as unchanged.
      */
     fun look(files: Collection<Path>): List<Path> {
         val now = files.associateWith(stampOf)
@@ -29,7 +29,7 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
     }
 
     companion object {
-        /** The time between two looks. */
+        /** The time between two looks, in ms. */
         const val LOOK_EACH_MS = 250L
     }
 }
@@ -37,7 +37,7 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
 /**
  * The state of a file, which differs after each change.
  *
- * @property key identifies the file itself, since an editor may put a new one in its place; null: the file system has no such key
+ * @property key identifies the file itself, since an editor may replace it by a new file of the same name; null: there is no key
  */
 internal data class FileStamp(val time: FileTime, val bytes: Long, val key: Any?) {
     companion object {
