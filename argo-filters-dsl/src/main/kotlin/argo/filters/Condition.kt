@@ -6,9 +6,9 @@ sealed interface Condition {
     /**
      * A condition on the argument at [index], counted from 0. A percept without that argument does not meet the condition.
      *
-     * @property until a second limit. The second limit: once a sensor's number has met [test], the condition holds as long as the numbers
-     * meet the same comparison with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in
-     * this argument are of one sensor
+     * @property until a second limit. Once a sensor's number has met [test], the condition holds as long as the numbers compare with this
+     * limit as [test] requires. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in this argument
+     * come from one sensor
      * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
     data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
@@ -17,7 +17,7 @@ sealed interface Condition {
             until?.let { requireBeyond(test, it) }
         }
 
-        /** The comparison with the second limit, which the condition needs to go on holding; null: [test]. */
+        /** The comparison with the second limit: while it is met, the condition goes on to hold. Null: there is no second limit. */
         internal fun untilTest(): TermTest.Compare? =
             until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
 
@@ -36,7 +36,7 @@ sealed interface Condition {
     }
 }
 
-/** Requires that a number reaches the limit [until] only after it has passed the limit of [test]. */
+/** Requires that the limit [until] is beyond the limit of [test]. */
 private fun requireBeyond(test: TermTest, until: Double) {
     require(until.isFinite()) { "the second limit $until is no finite number" }
     require(test is TermTest.Compare && test.operator.ordering) {

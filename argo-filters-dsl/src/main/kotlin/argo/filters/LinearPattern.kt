@@ -26,7 +26,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns an upper bound of the product of nested counts. RE2's compiler writes each repetition out in full. */
+    /** Returns an upper bound of the copies that RE2's compiler makes of a part: the product of nested repetition counts. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 
