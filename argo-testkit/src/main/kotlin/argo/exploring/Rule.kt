@@ -32,8 +32,8 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
 }
 
 /**
- * A rule of this package. `toString` returns the call that makes it. [breachOf] returns an agent's first breach in a run; null: the agent
- * keeps the rule.
+ * A rule of this package. `toString` returns the call that makes the rule. [breachOf] returns an agent's first breach in a run; null: there
+ * is none.
  */
 internal class ReadyRule(
     val function: String,
