@@ -6,7 +6,7 @@ import argo.check.findings.Place
 import argo.check.project.Mention
 import argo.check.syntax.Span
 
-/** Finds the errors of one kind in one program. A rule holds no state, so that it can run again for another text. */
+/** Finds the errors of one kind in one program. A rule has no state, so that it can check several texts. */
 internal fun interface Rule {
     fun check(scene: Scene, report: Report)
 }
@@ -23,7 +23,7 @@ internal class Report(private val place: (Span) -> Place) {
 
     fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
 
-    /** Warns of each of [mentions] whose functor is nearly one of [known] and is itself not known anywhere. */
+    /** Warns of [mentions] whose functor is unknown in the project, and nearly one of [known]. */
     fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
         val names = Names(known)
         for (mention in mentions) {
