@@ -28,7 +28,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     )
 
     /**
-     * Returns the filter called [name]. Reads the filter anew at each call.
+     * Returns the filter called [name]. Each call reads the filter again.
      *
      * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the searched places and
      *   the existing filters

@@ -24,7 +24,7 @@ internal interface FilterPlace {
 }
 
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Loads the providers anew at each call, since a loader serves only one thread at a time. */
+    /** Each call loads the providers again, since only one thread at a time may use a loader. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
 
-/** Converts an XML document into the tree for [FilterReader]. Reports superfluous elements and attributes to [problems]. */
+/** Converts an XML document into the tree for [FilterReader]. Reports elements and attributes that are not allowed to [problems]. */
 internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
 
     fun filter(): FilterNode? {
@@ -164,7 +164,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
             ),
         )
 
-        /** Attributes that hold numbers. */
+        /** Attributes whose values are numbers. */
         val NUMBERS = FilterReader.SMOOTHING + FilterReader.DEADBAND + FilterReader.UNTIL
 
         /** Maps attributes to members of the tree that have another name. */

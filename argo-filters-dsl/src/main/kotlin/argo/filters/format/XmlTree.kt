@@ -128,7 +128,7 @@ internal class XmlTree(private val document: String, private val source: String)
     private companion object {
         val ATTRIBUTE = Regex("""\s([^\s=]+)\s*=\s*(?:"[^"]*"|'[^']*')""")
 
-        /** Files of 2014 have elements in place of these attributes. */
+        /** Files of 2014 have elements instead of these attributes. */
         val ATTRIBUTE_ELEMENTS = setOf("id", "name", "operator")
     }
 }
