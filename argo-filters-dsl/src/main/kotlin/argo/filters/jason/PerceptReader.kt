@@ -9,8 +9,8 @@ class PerceptSyntaxException(message: String, cause: Throwable? = null) : Except
 
 /**
  * Reads percepts into the same literals as Jason's own parser. The forms that boards usually send are read faster: functors, atoms,
- * numbers, strings, nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string stands for a
- * character that Jason's syntax cannot express. Any thread may use it.
+ * numbers, strings, nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string denotes a
+ * character that Jason's syntax cannot express. Safe for use by several threads at once.
  */
 object PerceptReader {
     private const val SHOWN = 80
