@@ -30,7 +30,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     /** True if a condition has two limits. */
     val hasLatches: Boolean = compiled.any { it.isLatch }
 
-    /** Returns true if the rule applies to its functor with this [tail] and [head]. Null: the percept has no namespace and no negation. */
+    /** Returns true if the rule is for percepts with this [tail] and [head]; [head] is null without a namespace and a negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -120,7 +120,7 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test. Null stands for a term that is no value, such as a variable. */
+    /** Returns true if [value] meets the test. Null: the term is no value, but for example a variable. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())

@@ -3,7 +3,7 @@ package argo.filters.matching
 /**
  * Remembers for which sensors a condition with two limits holds. A picture is the set of percepts that are received together. The condition
  * holds for a percept whose number meets the first limit. If it held for the sensor in the picture before, it also holds for a percept
- * whose number meets the second limit. So it does not matter in which order percepts are in a picture, or how often one is asked about.
+ * whose number meets the second limit. So neither the order of percepts in a picture nor the number of calls for one percept matters.
  *
  * @param notes true if [holds] notes what holds in this picture, for the next one
  */

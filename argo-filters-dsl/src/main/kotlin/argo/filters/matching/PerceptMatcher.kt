@@ -8,7 +8,7 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.SmoothingRule
 
 /**
- * Decides about percepts by a filter's rules. Immutable; any thread may use it.
+ * Decides about percepts by a filter's rules. Immutable, and safe for use by several threads at once.
  *
  * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
  * each percept as the first of its sensor: no rate holds it back, and no smoothing rule replaces it.

@@ -28,7 +28,7 @@ internal class PerceptText private constructor(
 
     fun predicate(): Predicate = head?.predicate() ?: Predicate(text.substring(functor, functorEnd))
 
-    /** Returns the rules of [index] for percepts of this name and arity, whatever their conditions. */
+    /** Returns the rules of [index] for percepts of this name and arity. Their conditions may be unmet. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
     /** Returns true if the percept meets the conditions of [rule], a rule for percepts of this name and arity. */
@@ -41,8 +41,8 @@ internal class PerceptText private constructor(
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
 
     /**
-     * Returns the text without annotations, and with [number] in place of each numeric argument. By this text rates tell kinds of percepts
-     * apart.
+     * Returns the text without annotations, and with [number] in place of each numeric argument. For rates, this text is the kind of the
+     * percept.
      */
     fun key(number: String): String = (0 until arity).joinToString(",", "${predicate()}(", ")") {
         when (val value = GroundTerm.ofOrNull(part(it))) {

@@ -8,7 +8,7 @@ internal class Picture<P> {
     var received: List<P> = emptyList()
         private set
 
-    private val standing = ArrayList<P>() // replace the first ones received; further ones are not replaced
+    private val standing = ArrayList<P>() // the replacements of the first received percepts; others are not replaced
     private val doubted = BitSet()
 
     /** Begins anew with the percepts [received]. A percept is not replaced until [stand] is called for it. */
@@ -18,7 +18,7 @@ internal class Picture<P> {
         doubted.clear()
     }
 
-    /** Replaces the received percept behind that of the last call by [percept]. If [isDoubted], the received one is not credible. */
+    /** Replaces the next received percept by [percept]; the first call is for the first one. If [isDoubted], that one is not credible. */
     fun stand(percept: P, isDoubted: Boolean) {
         if (isDoubted) doubted.set(standing.size)
         standing += percept

@@ -27,8 +27,8 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = SensorMemory<LetThrough<P>>()
-    private val counts = HashMap<String, Int>() // how many percepts with the same text except for numbers have come so far
-    private val kinds = HashMap<P, String>() // of the percepts received together
+    private val counts = HashMap<String, Int>() // how many percepts of the group have this text, except for numbers
+    private val kinds = HashMap<P, String>() // the kinds of the group's percepts
 
     /** Begins a new group of percepts that are received together. */
     fun begin() {

@@ -3,8 +3,8 @@ package argo.filters.matching
 /**
  * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition; each tells sensors apart in its own way.
  *
- * If a board has more sensors than [CAPACITY], the memory forgets the sensors that were added first. It has no room for percepts longer
- * than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
+ * If a board has more sensors than [CAPACITY], the memory forgets the sensors that were looked up longest ago. It has no room for percepts
+ * longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
  */
 internal class SensorMemory<V : Any> {
     private val probe = SensorKey()

@@ -4,7 +4,7 @@ import argo.filters.Syntax
 
 /**
  * Finds where terms begin and end in a percept's text, with regard to quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is
- * no percept. No function here builds a term, allocates or throws, whatever the text.
+ * no percept. The functions build no terms, allocate nothing and never throw.
  */
 internal object TermBounds {
     const val NONE = -1
