@@ -2,7 +2,7 @@ package argo.filters
 
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
-    /** With more digits, the quotient of the digits and a power of ten may not be the nearest double. */
+    /** The most digits for which the quotient of the digits and a power of ten is sure to be the nearest double. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 

@@ -3,7 +3,7 @@ package argo.filters
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
-/** Marks the receivers of filters in Kotlin, so that each word compiles only in its own block. */
+/** Marks the receivers of filters in Kotlin, so that each function compiles only in the block to which it belongs. */
 @DslMarker
 annotation class FilterDsl
 

@@ -22,7 +22,7 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** The end of a long message says what is expected. */
+        /** How many characters are kept at the end of a long message, where it says what is expected. */
         const val SHOWN_LAST = 250
     }
 }

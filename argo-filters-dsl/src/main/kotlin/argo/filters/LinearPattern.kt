@@ -26,7 +26,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns an upper bound of the copies that RE2's compiler makes of a part: the product of nested repetition counts. */
+    /** Returns how often RE2's compiler may copy a part of the pattern: at most the product of nested counts. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 

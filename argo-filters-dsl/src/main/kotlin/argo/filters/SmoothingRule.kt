@@ -16,9 +16,9 @@ package argo.filters
  * that of the last credible percept is not credible. Of three percepts in a row whose numbers change too much, the third is credible again
  * if each can follow the one before
  * @property outliers which percepts are not credible because they are far from most others; null: there is no such test
- * @property median the number, which is odd, of last credible percepts of which the middle one is selected; null: the newest is selected.
- * While there are fewer percepts, the middle one of these is selected; of two middle ones, the newer one
- * @property annotates whether selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
+ * @property median the middle one of so many last credible percepts is selected; the number is odd. Null: the newest is selected. While
+ * there are fewer percepts, the middle one of these is selected; of two middle ones, the newer one
+ * @property annotates true if selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
  * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
  */
 data class SmoothingRule(
@@ -68,8 +68,8 @@ data class SmoothingRule(
 
 /**
  * Percepts whose number is more than [deviations] deviations from the median of their sensor's last numbers, including their own number. A
- * deviation is 1.4826 times the median of the distances to that median: if the noise is normal, its standard deviation. A deviation is at
- * least one unit of the percept's last digit. None of the first two percepts of a sensor is an outlier.
+ * deviation is 1.4826 times the median of the distances to that median; for normal noise, this is the standard deviation. A deviation is at
+ * least one unit of the percept's last digit. The first two percepts of a sensor are never outliers.
  *
  * @property deviations the greatest distance from the median, in deviations
  * @property among the number of last percepts for the median; it is odd

@@ -10,7 +10,7 @@ enum class Operator(internal val words: String, internal val ordering: Boolean) 
     LE("is at most", true),
 }
 
-/** A test of one term. No test holds for a variable, an expression or a plan. */
+/** A test of one term. Variables, expressions and plans meet no test. */
 sealed interface TermTest {
 
     /**
