@@ -6,7 +6,7 @@ import kotlin.time.Duration.Companion.seconds
 
 /**
  * No command is lost unnoticed: each command has an outcome within the time [within]. Within the same time after a failure, the agent sends
- * a command, prints something or sends a message. If a later command has replaced a command, it has not failed.
+ * a command, prints something or sends a message. A command that a later one has replaced does not count as failed.
  */
 fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoCommand", "loses no command", within) { run, agent ->
     val entries = run.of(agent)
@@ -15,8 +15,8 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 
 /**
  * If one of [commands] fails, the agent sends one of [commands] again. For this it has the time [within], from its next perception of the
- * board. The rule applies only if this perception equals the one before the command. An agent that breaks the rule may believe that it has
- * stopped while it drives on.
+ * board. The rule applies only if the percepts stay those on which the command was based. An agent that breaks the rule may believe that it
+ * has stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
     ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->

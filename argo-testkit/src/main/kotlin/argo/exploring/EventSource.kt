@@ -12,7 +12,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
-        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // a few kinds of events find more than all kinds together
+        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // runs with few kinds of events find more faults
         var at = FIRST_AT
         return (1..1 + random.nextInt(exploration.mostEvents)).mapNotNull {
             at += pause(random)

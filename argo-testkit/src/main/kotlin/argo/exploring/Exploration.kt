@@ -30,7 +30,7 @@ class Exploration internal constructor() {
     /** The time in which events happen. The first event happens 200 ms after the run begins. */
     var eventful: Duration = 10.seconds
 
-    /** The time for which a run goes on after its last event. Some rules need this time to notice that an agent does nothing. */
+    /** The time for which a run continues after its last event. Some rules need this time to notice that an agent does nothing. */
     var settling: Duration = 8.seconds
 
     /** The largest number of events in a run. */
@@ -42,7 +42,7 @@ class Exploration internal constructor() {
     /** The largest number of runs. */
     var runs: Int = 1_000
 
-    /** The time limit for all runs, in real time. The shortening of a failing run may take more time. */
+    /** The time limit for all runs together, in real time. To shorten a failing run may take more time. */
     var time: Duration = 60.seconds
 
     /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` gets its own board of this kind. */

@@ -7,7 +7,7 @@ import kotlin.time.Duration.Companion.seconds
  * At the end of a run, no intention has waited for longer than [longest] at a step that may never end. A step with a time limit, such as
  * `.wait(9000)`, does not count.
  *
- * @param except goals that may wait longer; `patrol` stands for `patrol(3)` too
+ * @param except goals that may wait longer; `patrol` also means `patrol(3)`
  */
 fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule =
     ReadyRule("neverWaitsForever", "never waits for ever", longest, except) { run, agent ->

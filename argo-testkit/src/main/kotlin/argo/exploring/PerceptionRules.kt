@@ -10,7 +10,7 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * No plan sends a command while the newest message of a board is older than [maxAge].
  *
- * @param except commands that are allowed at any time, such as `stop`; `drive` stands for `drive(3)` too
+ * @param except commands that are allowed at any time, such as `stop`; `drive` also means `drive(3)`
  */
 fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> = emptyList()): Rule =
     ReadyRule("neverActsOnStalePercepts", "never acts on stale percepts", maxAge, except) { run, agent ->
@@ -22,7 +22,7 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
  * agent sends none of [moving]. An agent that is blind for longer than [within], and has sent one of [moving] but not [safe] since, sends
  * [safe]. The time [within] begins when the agent becomes blind or, if its port was off, when the port is on again.
  *
- * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
+ * @param safe the command that stops the motion; `speed` also means `speed(0)`
  */
 fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.seconds, within: Duration = 1.seconds): Rule =
     ReadyRule("stopsWhenBlind", "stops when blind", safe, moving, blindAfter, within) { run, agent ->
@@ -34,7 +34,7 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
 /**
  * If [percept] begins to hold in the agent's percepts, and holds for the time [within], the agent sends one of [commands] within this time.
  * The time begins with the last byte of the first message in which [percept] holds. An agent whose last command is one of [commands] need
- * not send another.
+ * not send one again.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -60,7 +60,7 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
 }
 
 /**
- * When [percept] has held in the agent's percepts for the time [after], plans send none of [commands] for as long as it goes on to hold.
+ * When [percept] has held in the agent's percepts for the time [after], plans send none of [commands] while [percept] still holds.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -129,8 +129,8 @@ private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
     /**
-     * Returns the periods in which the condition holds: the first message in which it holds, and the next in which it does not. Null: it
-     * holds until the run ends.
+     * Returns the periods in which the condition holds: the first message of a period, and the first one behind it. Null: the period ends
+     * with the run.
      */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
