@@ -294,7 +294,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
-    /** Marks [command] as used by an expectation. False: none that is unused has arrived at an [acceptable time][isTimely]. */
+    /** Marks [command] as used by an expectation; false if no unused one has arrived at an [acceptable time][isTimely]. */
     internal fun take(command: String, isTimely: (Duration) -> Boolean = { true }): Boolean {
         val index = arrivals.withIndex().firstOrNull { (i, it) -> i !in taken && it.command == command && isTimely(it.at) }?.index
             ?: return false
