@@ -5,7 +5,7 @@ import argo.check.syntax.Span
 import javino.PerceptKind
 import kotlin.io.path.name
 
-/** A word at [span] of [file] and its [meaning]. If [isObserved], it only records what a board has sent, and the board may send more. */
+/** A word at [span] of [file] and its [meaning]. If [isObserved], a board has sent the word, and may also send others. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
 /** The part [span] of [file], which does not describe a percept, and the [reason]. */

@@ -61,7 +61,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     /** True if the project's agents may meet agents of other projects, as on other computers. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
-    /** The fleet of computers on which this project runs; null: it runs on one computer. */
+    /** The fleet of computers on which this project runs; null: there is no fleet. */
     val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure"), lines) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }

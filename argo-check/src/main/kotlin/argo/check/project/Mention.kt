@@ -14,7 +14,7 @@ enum class Role {
     /** A goal that is an argument of an internal action, as in `.desire(g)`. */
     NAMED_GOAL,
 
-    /** The goal for which a plan is, `+!g`. */
+    /** The goal that a plan handles, `+!g`. */
     HANDLED,
 
     /** The goal whose failure a plan handles, `-!g`. */

@@ -34,7 +34,7 @@ data class Project(
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
-    /** Returns this project with [text] in place of the text of the file [path], in XML or JSON. It may be a filter or not. */
+    /** Returns this project with [text] in place of the text of the file [path], in XML or JSON. The file need not be a filter. */
     fun withFilter(path: Path, text: String): Project {
         val others = filters.filter { it.path != path }
         return when {
