@@ -30,8 +30,8 @@ internal object ArgoActions {
     ) + FLEET_ERRORS
 
     /**
-     * Returns the name of the ARGO action that a call such as `.argo.port` means, in upper or lower case; null: it means no ARGO action.
-     * Jason need not find the action under [called]: see [exists].
+     * Returns the name of the ARGO action that a call such as `.argo.port` means, regardless of case; null: it means no ARGO action. Jason
+     * may not find an action under the name [called]: see [exists].
      */
     fun actionIn(called: String): String? {
         val name = called.removePrefix(".")

@@ -42,7 +42,7 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** Returns how many plans an order counts for that is usual everywhere: X and Y, I and J, X1 and X2. 0 for other orders. */
+    /** Returns the number of plans for which a usual order counts, such as X and Y, I and J, X1 and X2; 0 for other orders. */
     private fun usual(first: String, second: String): Int {
         val at = first.indices.filter { first[it] != second.getOrNull(it) }.singleOrNull()
         return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0

@@ -14,8 +14,8 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /**
- * Finds arguments that need a value: arguments that all plans for a goal, or all rules for a literal, compare or calculate with, or in
- * whose place all have a list.
+ * Finds arguments that need a value. All plans for the goal, or all rules for the literal, compare such an argument, calculate with it, or
+ * require a list there.
  *
  * @param clauses the plans, beliefs and rules of a project
  * @param believed how often each literal is added as a belief, told, or the head of a rule, by the literal's indicator

@@ -102,7 +102,7 @@ private fun distanceWithin(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Two slips that replace a letter change at most this number of letters in the set. */
+/** Two replaced letters change at most this many members of a set of letters. */
 private const val MOST_OTHER_LETTERS = 4
 private const val MIN_LENGTH = 2
 private const val LONG = 10

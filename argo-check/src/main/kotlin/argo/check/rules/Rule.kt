@@ -11,7 +11,7 @@ internal fun interface Rule {
     fun check(scene: Scene, report: Report)
 }
 
-/** Collects the findings in one file. [place] turns a span into a place. */
+/** Collects the findings in one file. [place] returns the place of a span. */
 internal class Report(private val place: (Span) -> Place) {
     private val collected = ArrayList<Finding>()
 
