@@ -100,7 +100,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         Group(cursor.since(start), body)
     }
 
-    /** Returns true if the brackets that begin here hold statements, not a formula. */
+    /** Returns true if the brackets that begin here contain statements, not a formula. */
     private fun isBodyInBrackets(): Boolean {
         var depth = 0
         var ahead = 0

@@ -55,5 +55,5 @@ fun programOf(text: String): Program {
     return Program(text, lines, tokens, components, if (isWhole || lexical > 0) errors.sortedBy { it.span.start } else errors)
 }
 
-/** Returns the literal or variable with which [tokens] begin; if it is incomplete, the part that is there. */
+/** Returns the literal or variable with which [tokens] begin; if it is incomplete, returns its first part. */
 internal fun literalOf(tokens: List<Token>, lines: Lines): Term = ProgramReader(Cursor(tokens, lines) {}).literal()
