@@ -5,7 +5,7 @@ import java.nio.file.Path
 
 /** How certain a finding is, and how serious. */
 enum class Level {
-    /** Jason refuses the program, or this place fails whenever it runs. */
+    /** Jason refuses the program, or the step at this place always fails. */
     ERROR,
 
     /** The author very probably meant something else. */
