@@ -16,8 +16,8 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
 
 /**
- * Reads one literal of a form that boards send. Returns null for text that needs Jason's full grammar: namespaces, variables, operators,
- * comments, reserved words.
+ * Reads one literal in a form that boards usually send. Returns null for text that needs Jason's full grammar: namespaces, variables,
+ * operators, comments, reserved words.
  */
 internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 

@@ -15,7 +15,7 @@ import jason.asSyntax.Literal
  * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  *
  * @param read returns the literals in a percept's text; none if the text cannot be read
- * @param limit returns the percepts that the agent is to believe, given the kept ones (first argument) and the critical ones (second)
+ * @param limit is called with the kept and the critical percepts, and returns those that the agent is to believe
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
