@@ -128,7 +128,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 }
 
-/** The rules of a filter that drops. */
+/** The rules of a filter under construction, in the mode [Mode.DROP]. */
 class DropRules internal constructor() : RuleList(Mode.DROP) {
     /**
      * Drops the percepts of [predicate] that meet all [conditions].
@@ -152,7 +152,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun <T : PerceptType> drop(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }
 
-/** The rules of a filter that keeps. */
+/** The rules of a filter under construction, in the mode [Mode.KEEP]. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
     /** Keeps the percepts of [predicate] that meet all [conditions]; like [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
