@@ -74,7 +74,7 @@ internal class TraceRecorder(private val mas: TestMas) {
             super.stop()
         }
 
-        /** Returns the waits in an order that does not depend on the numbers of intentions, which differ from run to run. */
+        /** Returns the waits in an order that does not depend on the ids of intentions, since these differ from run to run. */
         fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
