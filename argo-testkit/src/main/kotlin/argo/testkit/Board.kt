@@ -68,10 +68,10 @@ class Board internal constructor(private val time: VirtualTime) {
     @Volatile
     private var isToRestart = false
 
-    /** True if the board answers no requests for percepts now, whatever its sensors show. */
+    /** True if the board now ignores requests for percepts, even if its sensors show some. */
     internal var isSilent = false
 
-    /** One in this many bytes on the line arrives with a wrong bit, in each direction; 0: none. */
+    /** Of so many bytes on the line, one has a wrong bit, in each direction; 0: no byte has one. */
     internal var garbledOneIn = 0
 
     /**

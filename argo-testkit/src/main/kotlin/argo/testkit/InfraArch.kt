@@ -83,7 +83,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 gets some services here
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 still calls this for some services
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {

@@ -88,7 +88,7 @@ class TestAgent internal constructor(
 
     /**
      * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived these percepts.
-     * Fails if the percepts have not reached the agent [within] that time, for example because perceiving is blocked.
+     * Fails if the percepts do not reach the agent in the time [within], for example because perceiving is blocked.
      * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [perceivesRaw]
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
