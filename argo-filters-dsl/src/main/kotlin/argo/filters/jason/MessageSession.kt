@@ -9,8 +9,7 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Turns a board's messages into percepts: splits a message into texts, filters them, reads the kept texts, and limits the number of
- * percepts.
+ * Turns a board's messages into percepts: splits a message into texts, filters them, reads the kept texts, and limits their number.
  *
  * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  *
