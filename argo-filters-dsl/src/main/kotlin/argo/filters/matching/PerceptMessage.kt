@@ -40,10 +40,7 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/**
- * Returns the index of the quote that closes the one at [opening]; null if there is none. Only strings have escapes; quoted atoms have
- * none.
- */
+/** Returns the index of the quote that closes the one at [opening]; null if there is none. Only strings have escapes. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     val quote = text[opening]
     var i = opening + 1
