@@ -24,11 +24,11 @@ import argo.check.rules.SyntaxRules
 import argo.check.rules.VariableKindRules
 import argo.check.rules.VariableRules
 
-/** Checks [project] without running anything. One thread at a time uses it. */
+/** Checks [project] without running it. Not safe for use by several threads at once. */
 class ProjectCheck(private val project: Project) {
     private val facts by lazy { Facts(project) }
 
-    /** Returns the findings in all files: programs first, the findings of each in the order of its text. */
+    /** Returns the findings in all files, those in programs first. Findings in a program are in the order of its text. */
     fun findings(): List<Finding> = project.programs.values.flatMap(::findingsIn) + findingsInFiles()
 
     /** Returns the findings in the files that are not programs: project files, filters and descriptions of percepts. */

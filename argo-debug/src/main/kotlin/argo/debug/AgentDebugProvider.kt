@@ -6,7 +6,7 @@ import argo.observing.ObservedAgent
 import java.io.IOException
 import java.util.logging.Logger
 
-/** Opens agents with the option `argo_debug` to debuggers. */
+/** Lets debuggers connect to agents that have the option `argo_debug`. */
 class AgentDebugProvider : AgentObserverProvider {
     override val option = "argo_debug"
     override val usage = "a port number"

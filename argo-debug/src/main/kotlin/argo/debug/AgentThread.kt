@@ -7,15 +7,15 @@ import jason.asSemantics.Intention
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 
-/** An agent as a thread of a debugger. Any thread may call. */
+/** An agent, which a debugger shows as a thread. Safe for use by several threads. */
 internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     val pausing get() = agent.pausing
 
-    /** The agent's intentions, running and suspended ones. Only in [asking]. */
+    /** The agent's intentions, running and suspended ones. Use this only in [asking]. */
     val intentions: List<Intention>
         get() = agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
 
-    /** The intention that a debugger shows; null: the agent has none. Only in [asking]. */
+    /** The intention that a debugger shows; null: the agent has no intention. Use this only in [asking]. */
     val shown: Intention?
         get() {
             val all = intentions
@@ -24,7 +24,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
         }
 
     /**
-     * Returns what [ask] returns, which the agent's thread calls.
+     * Calls [ask] on the agent's thread, and returns its result.
      * @throws DebugException if the agent is not paused, or does not answer in time
      */
     fun <T> asking(ask: () -> T): T {
@@ -32,7 +32,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
         val stands = pausing.look {
             try {
                 answer.complete(ask())
-            } catch (failed: Throwable) { // of a formula, which may be anything
+            } catch (failed: Throwable) { // a formula may throw any exception
                 answer.completeExceptionally(failed)
             }
         }
@@ -53,5 +53,5 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     }
 }
 
-/** A debugger has asked for something impossible; [message] says why, for a person. */
+/** A request of a debugger cannot be fulfilled; [message] tells the user the reason. */
 internal class DebugException(message: String) : Exception(message)

@@ -15,7 +15,7 @@ import java.util.logging.Logger
 import kotlin.concurrent.thread
 
 /**
- * Lets debuggers on this computer reach agents, by the Debug Adapter Protocol over TCP. Safe for use by several threads.
+ * Lets debuggers on this computer connect to agents, by the Debug Adapter Protocol over TCP. Safe for use by several threads.
  *
  * @param wanted the port; 0: any free port
  */
@@ -77,7 +77,7 @@ internal class DebugServer(wanted: Int) : AutoCloseable {
         }
     }
 
-    /** Returns true if [input] begins as the protocol does. A page in a browser, for example, begins with a method of HTTP. */
+    /** Returns true if [input] begins like the protocol. A browser, for example, begins with a method of HTTP instead. */
     private fun isDebugger(input: InputStream): Boolean = try {
         val begin = "Content-Length:"
         input.mark(begin.length)
@@ -85,7 +85,7 @@ internal class DebugServer(wanted: Int) : AutoCloseable {
         input.reset()
         found.equals(begin, ignoreCase = true)
     } catch (_: IOException) {
-        true // it has gone
+        true // the client has closed the connection
     }
 
     override fun close() {

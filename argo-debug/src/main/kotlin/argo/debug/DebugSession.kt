@@ -48,20 +48,20 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The conversation with one debugger, which sees each agent as a thread, its intention as the stack of that thread, and the plans of the
- * intention as frames. The thread that reads from the debugger calls the functions of the protocol, and agents call back on their threads.
- * Another thread sends messages to the debugger, so no agent waits for it.
+ * The session of one debugger. To the debugger, each agent is a thread, the agent's intention is the stack of this thread, and the
+ * intention's plans are the frames. The thread that reads from the debugger calls the functions of the protocol, and agents call back on
+ * their threads. Another thread sends messages to the debugger, so agents do not wait for the debugger.
  *
- * @param agents the agents, which come and go
+ * @param agents the present agents; the list changes when agents begin or end
  */
 internal class DebugSession(private val agents: List<AgentThread>) :
     IDebugProtocolServer,
     BreakpointOwner {
-    /** The breakpoints in [file]: the line of each by its number. */
+    /** The breakpoints in [file]: their [lines], by the number of the breakpoint. */
     private class InFile(val file: String, val lines: Map<Int, Int>)
 
     private val telling = Executors.newSingleThreadExecutor { run -> java.lang.Thread(run, "argo-debug-telling").apply { isDaemon = true } }
-    private val followed = HashMap<AgentThread, AutoCloseable>() // under its own lock
+    private val followed = HashMap<AgentThread, AutoCloseable>() // guarded by itself
     private val numbers = AtomicInteger()
     private val frames = Frames { name -> files.keys.find { it.endsWith("/$name") || it.endsWith("\\$name") } }
     private lateinit var client: IDebugProtocolClient
@@ -111,7 +111,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
 
     private fun changed(thread: AgentThread, state: PauseState) {
         if (thread.isPaused(state)) return stopped(thread, state)
-        if (state.why != null) return // its boards are being made safe
+        if (state.why != null) return // it will be paused when its boards are safe
         frames.forget(thread)
         tell { it.continued(ContinuedEventArguments().apply { threadId = thread.number }) }
     }
@@ -141,7 +141,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         SetBreakpointsResponse().apply { breakpoints = answers.toTypedArray() }
     }
 
-    /** Returns the breakpoint with this [number], which each agent has [found] or refused. */
+    /** Returns the breakpoint with this [number]. [found] are the answers of the agents: where they have set it, or why not. */
     private fun shown(number: Int, args: SetBreakpointsArguments?, found: List<argo.observing.Breakpoint>) = Breakpoint().apply {
         id = number
         isVerified = found.any { it.line != null }
@@ -150,7 +150,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         if (!isVerified) message = found.firstOrNull()?.refusal ?: "no agent is there"
     }
 
-    /** Tells the debugger where its breakpoints are now, and which are lost. */
+    /** Tells the debugger the present lines of its breakpoints, and which breakpoints are lost. */
     @Synchronized
     override fun breakpointsChanged() {
         for (its in files.values) {
@@ -225,7 +225,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
 
     private fun thread(number: Int) = agents.find { it.number == number } ?: throw DebugException("there is no agent $number any more")
 
-    /** Notes that [thread] has come, and sets the breakpoints there too. */
+    /** Tells the debugger that the agent [thread] has begun, and sets the breakpoints in this agent too. */
     fun joined(thread: AgentThread) {
         for (its in files.values) {
             val found = thread.pausing.breakAt(this, its.file, its.lines.values.toList())
@@ -247,13 +247,13 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         threadId = thread.number
     }
 
-    /** Notes that [thread] has ended. */
+    /** Tells the debugger that the agent [thread] has ended. */
     fun left(thread: AgentThread) {
         synchronized(followed) { followed.remove(thread) }?.close()
         tell { it.thread(event("exited", thread)) }
     }
 
-    /** Ends the session: the agents forget its breakpoints, and agents that are paused only for it go on. Idempotent. */
+    /** Ends the session: agents forget its breakpoints, and go on if only this session has paused them. May be called twice. */
     fun end() {
         synchronized(followed) { followed.values.forEach(AutoCloseable::close) }
         agents.forEach { it.pausing.release(this) }
@@ -272,7 +272,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         failed(refused.message)
     } catch (refused: IllegalArgumentException) {
         failed(refused.message)
-    } catch (broken: Throwable) { // the agent's code may throw whatever it likes
+    } catch (broken: Throwable) { // the agent's code may throw any exception
         LOG.log(Level.WARNING, "a request of a debugger has failed", broken)
         failed("$broken")
     }

@@ -13,11 +13,11 @@ import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
 /**
- * Returns the meaning of [expression] for [agent]: the value of a variable or of an arithmetic expression, or the solutions of a formula as
- * in a plan's context. For the agent's thread.
+ * Evaluates [expression] for [agent]. Returns the value of a variable or an arithmetic expression, or the solutions of a formula as in a
+ * plan's context. Call this on the agent's thread.
  *
- * @param un the variables of a plan; null: there is none
- * @throws DebugException if [expression] is neither, or would act
+ * @param un the values of a plan's variables; null: there is no plan
+ * @throws DebugException if [expression] is none of these, or contains an internal action
  */
 internal fun valueOf(expression: String, agent: Agent, un: Unifier?): String {
     val known = un?.clone() ?: Unifier()
@@ -46,7 +46,7 @@ private fun solutions(formula: LogicalFormula, expression: String, agent: Agent,
     }
 }
 
-/** Refuses internal actions: they may act, and a recording would lack their results. */
+/** Refuses internal actions, since they may act, and since their results would be missing in a recording. */
 private fun requirePure(formula: LogicalFormula): LogicalFormula {
     val action = actionIn(formula) ?: return formula
     throw DebugException("$action is an internal action, which may act; ask for beliefs, such as dist(front,X) & X < 40")
@@ -68,5 +68,5 @@ private fun unreadable(text: String, wrong: Throwable) =
 
 private val VARIABLE = Regex("""\b[A-Z]\w*""")
 
-/** The most solutions that are shown. */
+/** The largest number of solutions that are shown. */
 private const val MOST = 20

@@ -6,9 +6,9 @@ sealed interface Condition {
     /**
      * A condition on the argument at [index], counted from 0. A percept without that argument does not meet the condition.
      *
-     * @property until a second limit. The second limit: once a sensor's number has met [test], the condition holds as long as the numbers
-     * meet the same comparison with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in
-     * this argument are of one sensor
+     * @property until a second limit. Once a sensor's number has met [test], the condition continues to hold while the numbers meet the
+     * same comparison with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in this
+     * argument come from one sensor
      * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
     data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
@@ -17,7 +17,7 @@ sealed interface Condition {
             until?.let { requireBeyond(test, it) }
         }
 
-        /** The comparison with the second limit, which the condition needs to go on holding; null: [test]. */
+        /** The comparison with the second limit, by which a condition that holds continues to hold; null: there is no second limit. */
         internal fun untilTest(): TermTest.Compare? =
             until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
 
@@ -25,8 +25,8 @@ sealed interface Condition {
     }
 
     /**
-     * A condition on the annotations called [name]: the first argument of one such annotation must meet all [tests]. Without tests, the
-     * percept only needs an annotation [name]. A percept that has no such annotation does not meet the condition.
+     * A condition on the annotations called [name]: the percept must have one whose first argument meets all [tests]. If there are no
+     * tests, the percept must only have an annotation called [name].
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())
@@ -36,7 +36,7 @@ sealed interface Condition {
     }
 }
 
-/** Requires that a number reaches the limit [until] only after it has passed the limit of [test]. */
+/** Requires that the limit [until] is beyond the limit of [test]. */
 private fun requireBeyond(test: TermTest, until: Double) {
     require(until.isFinite()) { "the second limit $until is no finite number" }
     require(test is TermTest.Compare && test.operator.ordering) {

@@ -1,15 +1,15 @@
 package argo.filters
 
 /**
- * A rule for urgent percepts. Urgent percepts are kept whatever the filter's other rules say, and are never held back. An agent perceives
- * an urgent percept before anything else that waits. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether
- * a percept meets the rule.
+ * A rule for urgent percepts. The filter keeps urgent percepts even if other rules drop them, and never holds them back. An agent perceives
+ * urgent percepts before others that wait. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether a percept
+ * meets the rule.
  *
  * @property rule the rule that the percepts meet; it has no rate
- * @property reflex the command that is sent for an urgent percept before the agent reasons; null: none. A reflex has 1 to
- *   [MAX_REFLEX_LENGTH] characters up to U+00FF. A reflex has no control characters, no blanks at its ends, and no `fffe` before two
- *   hexadecimal digits. A reflex is not the request `getPercepts`, with or without arguments.
- * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: the percept as it came, without delay
+ * @property reflex the command that ARGO sends for an urgent percept before the agent reasons; null: none. A reflex has 1 to
+ *   [MAX_REFLEX_LENGTH] characters up to U+00FF. It must not contain control characters, blanks at its ends, or `fffe` before two
+ *   hexadecimal digits. It must not be the request `getPercepts`, with or without arguments.
+ * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: it tests the received percept, without delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed: Boolean = false) {

@@ -2,13 +2,13 @@ package argo.filters
 
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
-    /** The quotient of two exact doubles is the nearest double only up to this number of digits. */
+    /** The most digits for which the quotient of the digits and a power of ten is sure to be the nearest double. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 
     /**
-     * Returns the number that fills the text from [start] to [end], except for blanks behind it: an optional sign, digits, an optional
-     * fraction. Returns NaN for any other text, even a number in another form. Allocates nothing.
+     * Returns the number in the text from [start] to [end]: an optional sign, digits, an optional fraction. Blanks may follow. Returns NaN
+     * for any other text, even for a number in another form. Allocates nothing.
      */
     fun plain(text: CharSequence, start: Int, end: Int): Double {
         val negative = text[start] == '-'

@@ -3,7 +3,7 @@ package argo.filters
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
-/** Marks the receivers of filters in Kotlin, so that each word compiles only in its own block. */
+/** Marks the receivers of filters in Kotlin, so that each function compiles only in the block to which it belongs. */
 @DslMarker
 annotation class FilterDsl
 
@@ -19,7 +19,7 @@ annotation class FilterDsl
  * ```
  *
  * @param name the name by which agents call the filter
- * @param onSwitch decides about the beliefs that the filter hides when an agent changes to it
+ * @param onSwitch whether beliefs that the filter hides are forgotten or frozen when an agent changes to the filter
  * @throws IllegalArgumentException if [name] cannot be a filter's name, or a predicate, a value or a pattern cannot be read
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
@@ -53,7 +53,7 @@ sealed class RuleList(private val mode: Mode) {
      * dropFilter("night") { include(frontDistance); drop("light") }
      * ```
      *
-     * @throws IllegalArgumentException if one filter drops the percepts that meet its rules and the other one keeps them
+     * @throws IllegalArgumentException if one of the two filters drops the percepts that meet its rules and the other filter keeps them
      */
     fun include(other: PerceptionFilter) {
         require(other.mode == mode) {
@@ -65,8 +65,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule. Percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come first. A
-     * critical rule drops nothing.
+     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept even if other rules drop them, and come first.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -92,8 +91,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a smoothing rule: for each percept of [predicate] that meets all [conditions], it selects one of the sensor's last percepts to
-     * stand in. A smoothing rule drops nothing.
+     * Adds a smoothing rule: each percept of [predicate] that meets all [conditions] is replaced by one of the sensor's last percepts. A
+     * smoothing rule drops nothing.
      *
      * ```kotlin
      * smooth("dist") { argument(1).outliers(3); argument(1) median 5 }
@@ -129,7 +128,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 }
 
-/** The rules of a filter that drops. */
+/** The rules of a filter under construction, in the mode [Mode.DROP]. */
 class DropRules internal constructor() : RuleList(Mode.DROP) {
     /**
      * Drops the percepts of [predicate] that meet all [conditions].
@@ -153,7 +152,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun <T : PerceptType> drop(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }
 
-/** The rules of a filter that keeps. */
+/** The rules of a filter under construction, in the mode [Mode.KEEP]. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
     /** Keeps the percepts of [predicate] that meet all [conditions]; like [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)

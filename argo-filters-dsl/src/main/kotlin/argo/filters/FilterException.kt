@@ -11,7 +11,7 @@ package argo.filters
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
     override fun toString(): String = "$source:$line:$column: $message"
 
-    /** Returns this problem with a message of bounded length: a long message keeps only its beginning and its end. */
+    /** Returns this problem; of a long message, only the beginning and the end are kept. */
     internal fun shortened(): Problem {
         if (message.length <= MAX_LENGTH) return this
         val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
@@ -22,7 +22,7 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** The end of a long message is kept because it says what is expected. */
+        /** How many characters are kept at the end of a long message, where it says what is expected. */
         const val SHOWN_LAST = 250
     }
 }

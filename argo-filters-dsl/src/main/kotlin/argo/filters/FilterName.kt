@@ -6,7 +6,7 @@ private const val FOREIGN = "\\:*?\"<>|"
 /** The name by which an agent asks for no filter. */
 const val NO_FILTER: String = "none"
 
-/** Returns why a filter and its file cannot have this [name]; null if they can. */
+/** Returns the reason why [name] cannot be the name of a filter and its file; null: it can be. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name == NO_FILTER -> "argo.change_filter($NO_FILTER) ends the filtering"

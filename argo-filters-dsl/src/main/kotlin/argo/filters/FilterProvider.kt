@@ -3,7 +3,7 @@ package argo.filters
 /**
  * Offers filters to agents by name.
  *
- * A project that writes its filters in Kotlin implements this and names the class in `META-INF/services/argo.filters.FilterProvider`. The
+ * A project with filters in Kotlin implements this interface, and names the class in `META-INF/services/argo.filters.FilterProvider`. The
  * class needs a public constructor without arguments, since [argo.filters.format.FilterFinder] loads it with `java.util.ServiceLoader`.
  *
  * ```kotlin

@@ -3,8 +3,8 @@ package argo.filters
 /**
  * A value with which a condition compares an argument: a ground Jason term.
  *
- * Values are equal if Jason's terms are: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. [of] reads the text
- * of `toString` back to an equal value.
+ * Two values are equal if the terms are equal in Jason: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. If
+ * [of] reads the text that `toString` returns, the result is an equal value.
  */
 sealed interface GroundTerm {
 
@@ -36,7 +36,7 @@ sealed interface GroundTerm {
      * A string. Jason's syntax cannot express some strings, such as `C:\maps`. `toString` writes their backslashes and carriage returns as
      * `\u005C` and `\u000D`. [of] and the reader of percepts understand these escapes, Jason's parser does not.
      *
-     * @property text the characters of the string: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
+     * @property text the characters of the string: `\n`, `\"` and `\uXXXX` are resolved, other escapes are kept as written
      */
     data class Text(val text: String) : GroundTerm {
         override fun toString(): String = StringText.write(text)
@@ -97,8 +97,8 @@ sealed interface GroundTerm {
         }
 
         /**
-         * Returns [text], which begins like a variable, without the underscores in front and with its first letter in lower case. Null:
-         * Jason does not read the result as an atom or a structure.
+         * Turns [text], which begins like a variable, into a name: removes underscores in front and makes the first letter lower case.
+         * Returns null if Jason does not read the result as an atom or a structure.
          */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }

@@ -1,12 +1,12 @@
 package argo.filters
 
 /**
- * Reads one ground term in a part of a text, as Jason's parser would. Returns null for any other text, such as a variable, an expression or
- * a plan, and for terms nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
+ * Reads one ground term in the text from [start] to [end], as Jason's parser would. Returns null for any other text, such as a variable, an
+ * expression or a plan, and for terms nested deeper than [MAX_DEPTH]. Never throws.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
-    /** Returns the term that fills the whole part, except for blanks around it. */
+    /** Returns the term if the rest of the text is blank; null otherwise. */
     fun readWhole(): GroundTerm? = term(0)?.takeIf { blanks() == end }
 
     private fun term(depth: Int): GroundTerm? {

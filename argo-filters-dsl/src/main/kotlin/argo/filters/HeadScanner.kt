@@ -1,6 +1,6 @@
 package argo.filters
 
-/** Finds namespace, negation and functor of the literal that begins in [text] at [start]. Never throws, whatever the text. */
+/** Finds namespace, negation and functor of the literal that begins in [text] at [start]. Never throws. */
 internal class HeadScanner(private val text: CharSequence, start: Int, end: Int) {
     private val first = Syntax.skipBlanks(text, start, end)
     private val firstEnd = maxOf(first, Syntax.atomEnd(text, first, end))

@@ -26,7 +26,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns an upper bound of the product of nested counts. RE2's compiler writes each repetition out in full. */
+    /** Returns how often RE2's compiler may copy a part of the pattern: at most the product of nested counts. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 

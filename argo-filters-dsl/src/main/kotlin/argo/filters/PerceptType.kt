@@ -5,7 +5,7 @@ import kotlin.reflect.KProperty
 /** The rule under construction on this thread, if it is for a declared percept type. */
 private val underConstruction = ThreadLocal<RuleConditions?>()
 
-/** Calls [say] for the [rule] under construction. The rule notes each declared argument that [say] reads. */
+/** Calls [say], a block of conditions, for the [rule] under construction. The rule notes each declared argument that [say] reads. */
 internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
     val outer = underConstruction.get()
     underConstruction.set(rule)
@@ -59,7 +59,7 @@ abstract class PerceptType(predicate: String) {
 
 /** The declaration of an argument, as the delegate of a property. */
 class Declared<A : TypedArgument<*>> internal constructor(private val make: (name: String) -> A) {
-    /** Returns the declared argument. Once the argument is read, a rule under construction expects a condition on it. */
+    /** Returns the declared argument. If a rule is under construction, it then expects a condition on this argument. */
     operator fun getValue(type: PerceptType, property: KProperty<*>): A =
         make(property.name).also { argument -> underConstruction.get()?.mention(argument) }
 }

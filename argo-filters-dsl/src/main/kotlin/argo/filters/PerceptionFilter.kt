@@ -8,10 +8,10 @@ import java.util.Objects
  * Immutable, and safe to share between agents. Two filters are equal if they make the same decisions, even under different [name]s.
  *
  * @property name the name by which agents call the filter
- * @property mode the fate of the percepts that meet a rule
- * @property onSwitch the fate of the beliefs that this filter hides when an agent changes to it
- * @param critical the rules for urgent percepts; they decide before all other rules
- * @param smoothing the rules for percepts of noisy sensors; the first rule that a percept meets smooths that percept
+ * @property mode whether percepts that meet a rule are dropped or kept
+ * @property onSwitch whether beliefs that this filter hides are forgotten or frozen when an agent changes to the filter
+ * @param critical the rules for urgent percepts, which decide before all other rules
+ * @param smoothing the rules for noisy sensors; a percept is smoothed by the first of these rules that it meets
  */
 class PerceptionFilter(
     val name: String,
@@ -21,7 +21,7 @@ class PerceptionFilter(
     critical: List<CriticalRule> = emptyList(),
     smoothing: List<SmoothingRule> = emptyList(),
 ) {
-    /** The fate of the percepts that meet one of the rules. */
+    /** What the filter does with percepts that meet a rule. */
     enum class Mode {
         /** Percepts that meet a rule are dropped, all others are kept. The filters of the ARGO paper have this mode. */
         DROP,
@@ -30,7 +30,7 @@ class PerceptionFilter(
         KEEP,
     }
 
-    /** The fate of the beliefs that a filter hides when an agent changes to it. */
+    /** What happens to beliefs that a filter hides when an agent changes to the filter. */
     enum class OnSwitch {
         /** Jason's belief update deletes the hidden beliefs. */
         FORGET,

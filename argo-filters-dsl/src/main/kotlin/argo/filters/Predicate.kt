@@ -5,7 +5,7 @@ package argo.filters
  * and so are `open` and `house::open`.
  *
  * @property functor the atom as written, including quotes: `dist`, `'Left wheel'`
- * @property negated whether strong negation (`~`) stands before the functor
+ * @property negated true if strong negation (`~`) is before the functor
  * @property namespace the namespace's name; [DEFAULT_NAMESPACE] if the text names none
  */
 data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
@@ -24,7 +24,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
     }
 
     companion object {
-        /** The namespace of a predicate that names none. */
+        /** The namespace of a predicate whose text names no namespace. */
         const val DEFAULT_NAMESPACE: String = "default"
 
         /** Jason's word for the namespace in which a text is read. */
@@ -43,7 +43,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` within quotes is part of a name. */
+        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` between quotes is part of a name. */
         private fun separator(text: String): Int {
             val first = text.indexOf("::")
             val quote = text.indexOf('\'')

@@ -1,9 +1,9 @@
 package argo.filters
 
 /**
- * A rule of a filter. A percept meets it if it has the [predicate] and the [arity] and meets all [conditions].
+ * A rule of a filter. A percept meets the rule if it has the [predicate] and the [arity] and meets all [conditions].
  *
- * @property conditions empty: every percept of the predicate meets the rule
+ * @property conditions if the list is empty, every percept of the predicate and arity meets the rule
  * @property arity the required number of arguments; null: any
  * @property rate the rate by which percepts that meet the rule are held back; null: they are not held back
  */
@@ -28,12 +28,12 @@ data class Rule(
 }
 
 /**
- * Holds percepts back that come too soon, or that differ too little from the last percept that was let through.
+ * Holds back percepts that come too soon after the last percept that was let through, or that differ too little from it.
  *
  * The rate applies to each kind of percept separately. Percepts that differ only in numbers are of one kind: `dist(f,2)` and `dist(f,1)`
- * are, but `dist(b,1)` is not. A percept is held back while the interval has not ended *and* no number has moved by its deadband. A
- * held-back percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session delivers it
- * [SETTLING_MS] after it began to hold percepts of the kind back.
+ * are of one kind, `dist(b,1)` is of another. A percept is held back while the interval has not ended *and* no number has moved by its
+ * deadband. A held-back percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session
+ * delivers the percept [SETTLING_MS] after the first percept of the kind was held back.
  *
  * Only an [argo.filters.matching.FilterSession], which knows the time, holds percepts back.
  *

@@ -24,7 +24,7 @@ open class RuleConditions internal constructor() {
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** The annotations called [name]. One annotation called [name] must meet the test: `annotation("q") lt 0.5`. */
+    /** The annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
@@ -72,7 +72,7 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** Puts [new] in place of the condition [old]. */
+    /** Replaces the condition [old] by [new]. */
     internal fun replace(old: Condition, new: Condition) {
         conditions[conditions.indexOfLast { it === old }] = new
     }
@@ -127,8 +127,8 @@ class CriticalConditions internal constructor() : RuleConditions() {
 
 /**
  * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
- * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: for an argument, a [Limit], which may get a
- * second limit.
+ * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: for an argument, a [Limit], to which a
+ * second limit can be added.
  */
 @FilterDsl
 sealed class AnyTerm<out L> {
@@ -236,7 +236,7 @@ class AnnotationTests internal constructor() : AnyTerm<Unit>() {
     override fun order(test: TermTest.Compare) = must(test)
 }
 
-/** The limit of a condition on an argument. The condition may get a second limit. */
+/** The limit of a condition on an argument. A second limit can be added. */
 class Limit internal constructor(private val rule: RuleConditions, private val condition: Condition.Argument) {
     init {
         rule.add(condition)
@@ -255,7 +255,7 @@ private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds
     require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
 }
 
-/** Returns the tests that exactly the numbers in the range meet. */
+/** Returns tests that all numbers in the range meet, and no other numbers. */
 internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
     require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
     return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))

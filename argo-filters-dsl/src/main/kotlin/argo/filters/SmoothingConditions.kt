@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * The conditions of a smoothing rule under construction, and the one argument that it smooths.
+ * The conditions of a smoothing rule under construction, and the one argument that the rule smooths.
  *
  * ```kotlin
  * smooth("dist") { argument(0) eq "front"; argument(1).outliers(3); argument(1) median 5 }
@@ -17,7 +17,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     /**
      * Selects the middle one of the last [count] credible percepts: `argument(1) median 5`; see [SmoothingRule.median].
      *
-     * @throws IllegalArgumentException if the rule has another median, or smooths another argument
+     * @throws IllegalArgumentException if the rule already has another median, or smooths another argument
      */
     infix fun AnyArgument.median(count: Int) {
         this@SmoothingConditions.specify(this)
@@ -28,7 +28,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
      * A percept is not credible if its number has changed by more than [perSecond] in a second: `argument(1) maxRate 200`; see
      * [SmoothingRule.maxRate].
      *
-     * @throws IllegalArgumentException if the rule has another greatest rate, or smooths another argument
+     * @throws IllegalArgumentException if the rule already has another greatest rate, or smooths another argument
      */
     infix fun AnyArgument.maxRate(perSecond: Number) {
         this@SmoothingConditions.specify(this)
@@ -36,10 +36,10 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * A percept is not credible if it is more than [deviations] deviations from the median of the last [among]: `argument(1).outliers(3)`;
-     * see [Outliers].
+     * A percept is not credible if its number is more than [deviations] deviations from the median of the last [among] numbers:
+     * `argument(1).outliers(3)`; see [Outliers].
      *
-     * @throws IllegalArgumentException if the rule has other outliers, or smooths another argument
+     * @throws IllegalArgumentException if the rule already has other outliers, or smooths another argument
      */
     fun AnyArgument.outliers(deviations: Number, among: Int = Outliers.AMONG) {
         this@SmoothingConditions.specify(this)

@@ -1,24 +1,24 @@
 package argo.filters
 
 /**
- * A rule for percepts of noisy sensors. For each percept that meets it, the rule selects one of the last percepts of the same sensor to
- * stand in: the newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide about the
- * selected percept; critical rules do so only if they [say so][CriticalRule.smoothed].
+ * A rule for percepts of noisy sensors. A percept that meets the rule is replaced by one of the last percepts of the same sensor: the
+ * newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide about the selected percept;
+ * critical rules do so only if they are [smoothed][CriticalRule.smoothed].
  *
- * Percepts that differ only in [argument] are of one sensor: `dist(f,30)` and `dist(f,31)` if argument 1 is smoothed, but not `dist(b,30)`.
- * A percept without a number in [argument] stands for itself. Percepts pass [maxRate] first, then [outliers], then [median].
+ * Percepts that differ only in [argument] come from one sensor: `dist(f,30)` and `dist(f,31)` if argument 1 is smoothed, but not
+ * `dist(b,30)`. A percept without a number in [argument] is not replaced. The rule applies [maxRate] first, then [outliers], then [median].
  *
  * Only an [argo.filters.matching.FilterSession] smooths, since it knows the time and the earlier percepts.
  *
  * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
  * @property argument the position of the number that is smoothed, counted from 0
  * @property maxRate the most by which the number can change in a second; null: there is no limit. A percept whose number differs more from
- * that of the last credible percept is not credible. After three percepts in a row that are not credible, and of which each can follow the
- * one before, the third is credible again
- * @property outliers describes which percepts are not credible since they are far from most others; null: none
- * @property median the odd number of last credible percepts; the middle one of them is selected; null: the newest is selected. While there
- * are fewer percepts, the middle one of those is selected; of two, the newer one
- * @property annotates whether selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
+ * that of the last credible percept is not credible. Of three percepts in a row whose numbers change too much, the third is credible again
+ * if each can follow the one before
+ * @property outliers which percepts are not credible because they are far from most others; null: there is no such test
+ * @property median the middle one of so many last credible percepts is selected; the number is odd. Null: the newest is selected. While
+ * there are fewer percepts, the middle one of these is selected; of two middle ones, the newer one
+ * @property annotates true if selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
  * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
  */
 data class SmoothingRule(
@@ -67,12 +67,12 @@ data class SmoothingRule(
 }
 
 /**
- * Percepts with a number further than [deviations] deviations from the median of their sensor's last numbers, their own included. A
- * deviation is 1.4826 times the median of the distances to that median, which is the standard deviation of normal noise. A deviation is at
- * least one unit of the percept's last digit. None of the first two percepts of a sensor is an outlier.
+ * Percepts whose number is more than [deviations] deviations from the median of their sensor's last numbers, including their own number. A
+ * deviation is 1.4826 times the median of the distances to that median; for normal noise, this is the standard deviation. A deviation is at
+ * least one unit of the percept's last digit. The first two percepts of a sensor are never outliers.
  *
  * @property deviations the greatest distance from the median, in deviations
- * @property among number of last percepts for the median; it is odd
+ * @property among the number of last percepts for the median; it is odd
  * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
  * [SmoothingRule.MAX_WINDOW]
  */

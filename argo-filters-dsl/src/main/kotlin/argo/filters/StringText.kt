@@ -15,7 +15,7 @@ internal object StringText {
 
     private fun quoted(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
 
-    /** Returns the string for [written], the text between the quotes. */
+    /** Returns the string that [written], the text between the quotes, expresses. */
     fun read(written: String): String {
         if ("\\u" !in written) return asJason(written)
         val text = StringBuilder()

@@ -9,7 +9,7 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** The reserved words by length. A percept's name is compared only with words of its own length. */
+    /** The reserved words by length. A percept's name is compared only with words of the same length. */
     private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }
@@ -83,10 +83,7 @@ internal object Syntax {
 
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
-    /**
-     * Returns the end of the string in double quotes that starts at [start]; -1 if the string is not closed or does not fit in a
-     * [GroundTerm.Text].
-     */
+    /** Returns the end of the string in double quotes that starts at [start]; -1 if no quote closes it or it is no [GroundTerm.Text]. */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
         while (i < end) {
@@ -95,7 +92,7 @@ internal object Syntax {
                 '\n', '\r' -> return -1
                 '\\' -> {
                     if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
-                    i += 2 // the loop takes the digits behind \u for letters
+                    i += 2 // the loop then skips the digits behind \u like letters
                 }
                 else -> i++
             }
@@ -105,7 +102,7 @@ internal object Syntax {
 
     private const val ESCAPED = "ntbrf\\'\"01234567"
 
-    /** Returns the first position from [start] on outside of white space and comments. */
+    /** Returns the position of the first character from [start] on that is not in white space or a comment. */
     fun skipBlanks(text: CharSequence, start: Int, end: Int): Int {
         var i = start
         while (i < end) {

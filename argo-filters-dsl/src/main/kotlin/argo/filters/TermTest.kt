@@ -10,11 +10,11 @@ enum class Operator(internal val words: String, internal val ordering: Boolean) 
     LE("is at most", true),
 }
 
-/** A test of one term. No test holds for a variable, an expression or a plan. */
+/** A test of one term. Variables, expressions and plans meet no test. */
 sealed interface TermTest {
 
     /**
-     * Compares the term with [value]. Orderings hold only for numbers.
+     * Compares the term with [value]. If [operator] is an ordering, the test holds only for numbers.
      *
      * @throws IllegalArgumentException if [operator] is an ordering and [value] is no number
      */
@@ -40,8 +40,8 @@ sealed interface TermTest {
     }
 
     /**
-     * Holds for a term whose whole text, as [GroundTerm.toString] writes it, matches the regular expression [pattern]. Strings have their
-     * quotes, structures no blanks.
+     * Holds for a term whose whole text, as [GroundTerm.toString] writes it, matches the regular expression [pattern]. In this text strings
+     * have quotes, and structures have no blanks.
      *
      * Matching takes time linear in the length of the text for every pattern, since RE2's syntax has no look-around and no back references.
      *

@@ -1,4 +1,4 @@
-/* Conditions on arguments of a declared percept type. Each adds to the rule around it: `drop(Distance) { cm gt 9 }`. */
+/* Conditions on arguments of a declared percept type. Each is added to the rule of its block: `drop(Distance) { cm gt 9 }`. */
 package argo.filters
 
 import kotlin.time.Duration
@@ -23,14 +23,14 @@ infix fun NumberArgument.median(count: Int) {
     rule.smoothing.median(index, count)
 }
 
-/** A percept is not credible if its number has changed faster: `cm maxRate 200`, per second; see [SmoothingRule.maxRate]. */
+/** A percept is not credible if its number changed faster than [perSecond] a second: `cm maxRate 200`; see [SmoothingRule.maxRate]. */
 context(rule: TypedSmoothingRule)
 infix fun NumberArgument.maxRate(perSecond: Number) {
     specify()
     rule.smoothing.maxRate(index, perSecond)
 }
 
-/** A percept is not credible if it is further from the median of the last [among]: `cm.outliers(3)`; see [Outliers]. */
+/** A percept is not credible if its number is far from the median of the last [among] numbers: `cm.outliers(3)`; see [Outliers]. */
 context(rule: TypedSmoothingRule)
 fun NumberArgument.outliers(deviations: Number, among: Int = Outliers.AMONG) {
     specify()
@@ -108,7 +108,7 @@ fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 context(rule: TypedRule)
 fun PerceptType.hasAnnotation(name: String): Unit = rule.conditions.hasAnnotation(name)
 
-/** The annotations called [name]. One annotation called [name] must meet the test: `annotation("q") lt 0.5`. */
+/** The annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String): AnyAnnotation = rule.conditions.annotation(name)
 

@@ -39,7 +39,7 @@ import org.eclipse.lsp4j.services.TextDocumentService
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.Executor
 
-/** Takes the editor's texts and changes. Makes the [worker] answer a request about the text as it was when the request came. */
+/** Receives the editor's texts, changes and requests. The [worker] answers a request for the text as it was when the request came. */
 internal class Documents(
     private val texts: OpenTexts,
     private val worker: Executor,
@@ -60,7 +60,7 @@ internal class Documents(
 
     override fun didClose(parameters: DidCloseTextDocumentParams) {
         texts.close(parameters.textDocument.uri)
-        worker.execute { languages.filesChanged() } // the editor has dropped unsaved changes
+        worker.execute { languages.filesChanged() } // unsaved changes of the closed text are gone
         diagnosis.closed(parameters.textDocument.uri)
     }
 
@@ -100,7 +100,7 @@ internal class Documents(
         renamed?.edit
     }
 
-    /** Turns a refusal into an error of the request. The editor shows its message. */
+    /** Turns a refusal into an error of the request, whose message the editor shows. */
     private fun <T> refusing(work: () -> T): T = try {
         work()
     } catch (refused: RefusedException) {
@@ -110,7 +110,7 @@ internal class Documents(
     private fun <T> at(parameters: TextDocumentPositionParams, none: T, find: Language.(Text, Int) -> T): CompletableFuture<T> =
         answer(parameters.textDocument.uri, none) { text -> find(text, text.offset(parameters.position)) }
 
-    /** Makes the worker call [find] with the editor's present text. The answer is [none] if the text or its language is unknown. */
+    /** Answers with the result of [find] for the editor's present text, or with [none] if the text or its language is unknown. */
     private fun <T> answer(uri: String, none: T, find: Language.(Text) -> T): CompletableFuture<T> {
         val text = texts[uri]
         val language = languages.of(uri)

@@ -19,15 +19,15 @@ import argo.tools.replay.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
 
 /**
- * Finds the language of a text by the ending of its file's name. Any thread may call [of], and only the server's worker thread the rest.
- * [tell] shows a line to the user.
+ * Finds the language of a text by the ending of its file's name. Any thread may call [of]; only the server's worker thread may call other
+ * functions. [tell] shows a line to the user.
  */
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val projects = Projects(texts, tell)
     private val findings = Findings(projects)
     private val live = LiveValues()
 
-    /** Whether the editor treats `${1:X}` in inserted text as a placeholder. */
+    /** True if the editor treats `${1:X}` in inserted text as a placeholder. */
     @Volatile
     var hasSnippets = false
 
@@ -47,18 +47,16 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
 
     fun diagnostics(text: Text): List<Diagnostic> = of(text.uri)?.diagnostics(text).orEmpty()
 
-    /** Does the work of a change of [text] and drops the result. */
+    /** Does the same work as after a change of [text], and drops the result. */
     fun rehearse(text: Text) {
         programOf(text.content)
         diagnostics(text)
     }
 
-    /** Call this after files have come, gone or changed on the disk. */
+    /** Call this after files were created, deleted or changed on the disk. */
     fun filesChanged() = projects.forget()
 
-    /**
-     * Returns what the agents that run the program in [text] perceive or believe now. Asks only agents with a live view at a fixed port.
-     */
+    /** Returns the present percepts or beliefs of agents that run the program in [text], if they have a live view at a fixed port. */
     private fun lastValues(text: Text, functor: String, arity: Int): List<String> {
         val project = projects.of(text)
         return project.checked.agentsOf(project.sourceOf(text).file).flatMap { agent ->

@@ -19,8 +19,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * The server of one editor. One thread reads the editor's messages and changes the texts. The worker, another thread, answers requests and
- * looks for findings.
+ * The server of one editor. One thread reads the editor's messages and changes the texts. Another thread, the worker, answers requests and
+ * searches for findings.
  */
 internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
     private val worker = ScheduledThreadPoolExecutor(1) { Thread(it, "argo-lsp-worker").apply { isDaemon = true } }
@@ -62,7 +62,7 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
 
     override fun getWorkspaceService(): WorkspaceService = workspace
 
-    /** Waits until the editor ends this server, or closes the connection so that [listening] ends. Returns the exit status. */
+    /** Waits until the editor ends this server or closes the connection, which ends [listening]. Returns the exit status. */
     fun awaitEnd(listening: Future<Void>): Int {
         Thread({
             try {

@@ -5,7 +5,7 @@ import org.eclipse.lsp4j.DidChangeWatchedFilesParams
 import org.eclipse.lsp4j.services.WorkspaceService
 import java.util.concurrent.Executor
 
-/** Takes the editor's notices of changed files on the disk. */
+/** Receives the editor's messages about changed files on the disk. */
 internal class Workspace(
     private val worker: Executor,
     private val languages: Languages,

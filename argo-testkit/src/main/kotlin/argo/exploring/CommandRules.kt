@@ -5,8 +5,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * No command gets lost in silence. Each command has an outcome within [within]. Within [within] of a failure, the agent sends a command,
- * prints something or sends a message. A command that a later one has replaced has not failed.
+ * No command is lost unnoticed: each command has an outcome within the time [within]. Within the same time after a failure, the agent sends
+ * a command, prints something or sends a message. A command that a later one has replaced does not count as failed.
  */
 fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoCommand", "loses no command", within) { run, agent ->
     val entries = run.of(agent)
@@ -14,8 +14,8 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends one of [commands] again, [within] this time after it next perceives the board. The rule
- * applies only if the agent perceives the same at that time as when it sent the command. An agent that breaks the rule may believe that it
+ * If one of [commands] fails, the agent sends one of [commands] again. For this it has the time [within], from its next perception of the
+ * board. The rule applies only if the percepts stay those on which the command was based. An agent that breaks the rule may believe that it
  * has stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
@@ -37,8 +37,8 @@ fun neverFloods(most: Int = 20): Rule = ReadyRule("neverFloods", "never floods",
 }
 
 /**
- * An agent does not change to and fro between two commands. A, B, A counts as one change back. In any second there are at most [most]
- * changes back.
+ * An agent does not alternate between two commands: in any second it changes back at most [most] times. The commands A, B, A are one change
+ * back.
  */
 fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never oscillates", most) { run, agent ->
     run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
@@ -52,7 +52,7 @@ fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never o
 }
 
 /**
- * Agents send only these [actions], in the notation of the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number of
+ * Agents send only these [actions], in the notation of the test kit's `knows`: `ledOn`, `speed/1`, or `say/` and a star for any number of
  * arguments.
  */
 fun sendsOnly(actions: List<String>): Rule = ReadyRule("sendsOnly", "sends only known commands", actions) { run, agent ->
@@ -60,7 +60,7 @@ fun sendsOnly(actions: List<String>): Rule = ReadyRule("sendsOnly", "sends only 
         ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
 }
 
-/** An agent that has sent commands sends a command within [within] of the end of the last event. */
+/** An agent that has sent commands sends another one at most [within] after the last event has ended. */
 fun actsAgain(within: Duration = 5.seconds): Rule = ReadyRule("actsAgain", "acts again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.planned(agent).lastOrNull()
@@ -87,7 +87,7 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
             else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and the agent does nothing about it")
         }
 
-/** Errors after which it makes no sense to repeat the command. */
+/** Errors after which an agent need not repeat the command. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {

@@ -12,8 +12,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields. This form is turned into Kotlin code, JSON and simpler events. The [fields] are in the order
- * of the constructor; each is a [Duration], an [Int] or a [String].
+ * A [WorldEvent] as its kind and its fields, a form that is easily turned into Kotlin code, JSON and simpler events. The [fields] are in
+ * the order of the constructor; each is a [Duration], an [Int] or a [String].
  */
 internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
     /** The event's constructor call in Kotlin. */
@@ -92,7 +92,7 @@ fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n
 /**
  * Reads the events that [jsonOf] wrote as [json].
  *
- * @throws IllegalArgumentException if they cannot be read
+ * @throws IllegalArgumentException if [json] cannot be read as events
  */
 fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonObject ?: throw noEvents("$it is no object")).event() }
 

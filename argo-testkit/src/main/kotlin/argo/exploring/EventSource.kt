@@ -4,7 +4,7 @@ import kotlin.random.Random
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
-/** Draws the events of a run of [exploration]. The same seed gives the same events. [agents] are the names of the agents, for messages. */
+/** Draws the events of a run of [exploration] from a seed: equal seeds give equal events. Messages go to the agents named [agents]. */
 internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
@@ -12,7 +12,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
-        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // a few kinds of events find more than all kinds together
+        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // runs with few kinds of events find more faults
         var at = FIRST_AT
         return (1..1 + random.nextInt(exploration.mostEvents)).mapNotNull {
             at += pause(random)
@@ -21,11 +21,11 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * Returns [events] with one more fault, which hits a command of [run]; [run] was played with [events]. The fault hits the command's
-     * board shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
+     * Returns [events], with which [run] was played, and one more fault, which hits a command of [run]. The fault hits the command's board
+     * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
      * exploration plays no fault that hits commands.
      *
-     * A command is on its way so briefly that faults drawn only from a seed seldom hit it.
+     * A command is on its way so briefly that randomly drawn faults seldom hit it.
      */
     fun atCommand(run: Run, events: List<WorldEvent>, seed: Long): List<WorldEvent>? {
         val random = Random(seed.inv())
@@ -50,7 +50,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         }
     }
 
-    /** Draws the time to the next event, often so short that the agent is still handling the previous event. */
+    /** Draws the time to the next event. The time is often so short that the agent is still handling the previous event. */
     private fun pause(random: Random): Duration = when (random.nextInt(4)) {
         0 -> random.nextInt(1, 60)
         1 -> random.nextInt(60, 600)
@@ -95,7 +95,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         return Reads(at, port, sensor.name, sensor.percepts[index])
     }
 
-    /** Makes a sensor flicker between neighbouring values, like a noisy one. */
+    /** Draws a sensor, and two neighbouring values between which it flickers, like a noisy sensor. */
     private fun flickers(at: Duration, random: Random): Flickers {
         val (port, sensor) = sensing[random.nextInt(sensing.size)]
         val index = random.nextInt(sensor.percepts.size)
@@ -108,16 +108,16 @@ internal class EventSource(private val exploration: Exploration, private val age
     private companion object {
         val FIRST_AT = 200.milliseconds
 
-        /** The largest lengths of faults, in ms, from a loose contact to a missing board. For each fault one of the lengths is drawn. */
+        /** Upper limits of a fault's length, in ms, from a loose contact to a missing board. For each fault one limit is drawn. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
-        /** A fault that hits a command begins at most this long before the command's issue or after its end, in ms. */
+        /** The most time, in ms, by which a fault that hits a command begins before the command is issued or after it ends. */
         const val AROUND_MS = 3L
 
-        /** A fault that hits a command begins at most this long after the command's issue. */
+        /** The most time by which a fault that hits a command begins after the command is issued. */
         val LONGEST = 200.milliseconds
 
-        /** A sensor flickers by at most this part of its range. */
+        /** A sensor flickers by at most one part in [NEAR] of its range. */
         const val NEAR = 20
     }
 }

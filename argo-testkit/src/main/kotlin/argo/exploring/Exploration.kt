@@ -22,35 +22,35 @@ class Exploration internal constructor() {
     internal var kept: List<Rule> = usualRules()
         private set
 
-    /** The function that describes the exploration, with its package; null: not known. */
+    /** The qualified name of the function that describes the exploration; null: not known. */
     internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** The time in which events happen. Events begin 200 ms after the run. */
+    /** The time in which events happen. The first event happens 200 ms after the run begins. */
     var eventful: Duration = 10.seconds
 
-    /** The time for which a run goes on after its last event. Some rules need this time to see that nothing happens. */
+    /** The time for which a run continues after its last event. Some rules need this time to notice that an agent does nothing. */
     var settling: Duration = 8.seconds
 
-    /** The most events in a run. */
+    /** The largest number of events in a run. */
     var mostEvents: Int = 8
 
     /** The first seed. */
     var seed: Long = 0
 
-    /** The most runs. */
+    /** The largest number of runs. */
     var runs: Int = 1_000
 
-    /** The time limit for all runs, in real time. The shortening of a failing run may take more time. */
+    /** The time limit for all runs together, in real time. To shorten a failing run may take more time. */
     var time: Duration = 60.seconds
 
-    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` has a board of its own like this. */
+    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` gets its own board of this kind. */
     fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
 
-    /** Lets [sender], who is not one of the agents, send [agent] this message at any time: see the test kit's `hears`. */
+    /** Adds a message from [sender], which is none of the agents, to [agent]. It may come at any time: see the test kit's `hears`. */
     fun message(agent: String, sender: String, performative: String, content: String) {
         messages += Hears(Duration.ZERO, agent, sender, performative, content)
     }
@@ -63,12 +63,12 @@ class Exploration internal constructor() {
         kept = rules
     }
 
-    /** Sets the faults to play; without this call all are played. With no fault, only sensors change and messages come. */
+    /** Sets the faults to play; without this call all are played. If [faults] is empty, only sensors change and messages come. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }
 
-    /** Configures each agent further: options, an environment, a class of its own. */
+    /** Configures each agent further: options, an environment, an agent class. */
     fun agents(setUp: AgentSetUp.() -> Unit) {
         setUps += setUp
     }
@@ -104,7 +104,7 @@ enum class Fault {
     /** Boards send unrequested messages. */
     FLOODS,
 
-    /** Sensors change to and fro. */
+    /** Sensors alternate between two values. */
     FLICKER,
 
     /** Messages between agents arrive late and in another order. */
@@ -122,7 +122,7 @@ class ExploredBoard internal constructor() {
         private set
 
     /**
-     * Adds a sensor that shows [percept] with a whole number of [range] in place of `%d`, at first [first].
+     * Adds a sensor that shows [percept] with a whole number of [range] in place of `%d`. The sensor begins with the number [first].
      * @throws IllegalArgumentException if [percept] contains no `%d`, or the range is empty
      */
     fun sensor(percept: String, range: IntRange, first: Int = range.last) {
@@ -131,7 +131,7 @@ class ExploredBoard internal constructor() {
         sensors += Sensor(percept, range.toList().map { percept.replace("%d", "$it") }, first - range.first, range)
     }
 
-    /** Adds a sensor that shows one of [percepts], at first the first one. An empty text stands for no percept. */
+    /** Adds a sensor that shows one of [percepts] and begins with the first of them. An empty text means that it shows no percept. */
     fun sensor(vararg percepts: String) {
         require(percepts.size > 1) { "a sensor shows one of several percepts: sensor(\"line(on)\", \"line(off)\")" }
         sensors += Sensor(percepts.joinToString("|"), percepts.toList(), 0, null)
@@ -142,14 +142,14 @@ class ExploredBoard internal constructor() {
         isVersion2 = true
     }
 
-    /** Lets the board speak version 2 of the protocol and have only these [actions]: see the test kit's `knows`. */
+    /** Lets the board speak version 2 of the protocol and offer only these [actions]: see the test kit's `knows`. */
     fun knows(vararg actions: String) {
         isVersion2 = true
         known = actions.toList()
     }
 
     /**
-     * Sets more of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. Percepts shown here replace
+     * Sets more of the board's behaviour with functions of the test kit: `script { takes(2.seconds, "turn") }`. Percepts shown here replace
      * the sensors. A script whose percepts depend on `commands` is a simulated robot. Called before each run.
      */
     fun script(behaviour: Board.() -> Unit) {
@@ -160,7 +160,7 @@ class ExploredBoard internal constructor() {
 /**
  * The percepts that a sensor can show.
  *
- * @property percepts all percepts; an empty text is no percept
+ * @property percepts all percepts; an empty text means that the sensor shows no percept
  * @property first the index of the percept that the sensor shows first
  * @property range the numbers in the percepts; null: the percepts have no number
  */

@@ -3,8 +3,8 @@ package argo.exploring
 import kotlin.time.TimeSource
 
 /**
- * Looks for a run of the agents in [source] in which they break a rule. The real agents run in virtual time, against changing sensors,
- * faults of boards and lines, and messages. A seed draws these events.
+ * Searches for a run in which the agents in [source] break a rule. The real agents run in virtual time. Meanwhile sensors change, boards
+ * and lines fail, and messages come; these events are drawn from a seed.
  *
  *     test("nothing that happens to its board confuses the robot") {
  *         explore("robot.asl") {
@@ -13,10 +13,10 @@ import kotlin.time.TimeSource
  *         }
  *     }
  *
- * Tries [Exploration.runs] runs, but for no longer than [Exploration.time] in real time.
+ * Tries at most [Exploration.runs] runs, for at most [Exploration.time] of real time.
  *
  * @param source the file of an agent, or the `.mas2j` of a system; looked for as the test kit's `agent` does
- * @return the number and the time of the runs, if all rules were kept
+ * @return the number of runs and their total time, if no run broke a rule
  * @throws AssertionError if a rule is broken, or if the agents are not deterministic. The message for a broken rule contains the shortened
  *   run in words and as a spec.
  * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or no agent opens a described
@@ -32,7 +32,7 @@ fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
 fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Search(scenario(source, describe), TimeSource.Monotonic).look()
 
 /**
- * Plays [events] against the agents in [source], once, and returns the run. The same events give the same run.
+ * Runs the agents in [source] once, with [events], and returns the run. The same events give the same run.
  *
  * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described. An event about a missing
  *   board, sensor or agent is refused too.
@@ -40,7 +40,7 @@ fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Searc
 fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).playWritten(events)
 
 /**
- * Plays [events] against the agents in [source] and checks the rules: the spec that [explore] prints calls it.
+ * Runs the agents in [source] with [events] and checks the rules. The spec that [explore] prints calls this function.
  *
  * @throws AssertionError if a rule is broken
  * @throws IllegalArgumentException like [runOf]

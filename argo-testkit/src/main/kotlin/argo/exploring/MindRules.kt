@@ -4,10 +4,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * At the end of a run, no intention has waited at one step for longer than [longest] for something that may never come. A wait for a time
- * in the step, such as `.wait(9000)`, does not count.
+ * At the end of a run, no intention has waited for longer than [longest] at a step that may never end. A step with a time limit, such as
+ * `.wait(9000)`, does not count.
  *
- * @param except goals that may wait longer; `patrol` stands for `patrol(3)` too
+ * @param except goals that may wait longer; `patrol` also means `patrol(3)`
  */
 fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule =
     ReadyRule("neverWaitsForever", "never waits for ever", longest, except) { run, agent ->
@@ -18,7 +18,7 @@ fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = empt
 
 private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
-/** Each plan that fails has a plan for the failure. */
+/** For each plan that fails, there is a plan that handles the failure. */
 fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }
@@ -31,7 +31,7 @@ fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule
             ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
     }
 
-/** Agents rest now and then, so that time goes on, and are not stopped. */
+/** Agents are not stopped, and do not reason without end: they rest now and then, so that virtual time advances. */
 fun staysAlive(): Rule = ReadyRule("staysAlive", "stays alive") { run, agent ->
     run.trace.firstOrNull { it is NeverRests || it is Stopped && it.agent == agent }
         ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }

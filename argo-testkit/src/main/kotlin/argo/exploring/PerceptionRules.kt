@@ -10,7 +10,7 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * No plan sends a command while the newest message of a board is older than [maxAge].
  *
- * @param except commands that are right at any time, such as `stop`; `drive` stands for `drive(3)` too
+ * @param except commands that are allowed at any time, such as `stop`; `drive` also means `drive(3)`
  */
 fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> = emptyList()): Rule =
     ReadyRule("neverActsOnStalePercepts", "never acts on stale percepts", maxAge, except) { run, agent ->
@@ -20,9 +20,9 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 /**
  * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
  * agent sends none of [moving]. An agent that is blind for longer than [within], and has sent one of [moving] but not [safe] since, sends
- * [safe]. The time [within] begins when the agent gets blind or, if the port was off, when the port returns.
+ * [safe]. The time [within] begins when the agent becomes blind or, if its port was off, when the port is on again.
  *
- * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
+ * @param safe the command that stops the motion; `speed` also means `speed(0)`
  */
 fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.seconds, within: Duration = 1.seconds): Rule =
     ReadyRule("stopsWhenBlind", "stops when blind", safe, moving, blindAfter, within) { run, agent ->
@@ -32,9 +32,9 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
     }
 
 /**
- * If [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time. The time
- * begins with the last byte of the message that made [percept] hold. An agent whose last command is one of [commands] need not send
- * another.
+ * If [percept] begins to hold in the agent's percepts, and holds for the time [within], the agent sends one of [commands] within this time.
+ * The time begins with the last byte of the first message in which [percept] holds. An agent whose last command is one of [commands] need
+ * not send one again.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -60,7 +60,7 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
 }
 
 /**
- * No plan sends one of [commands] while [percept] holds in the agent's percepts, once it has held for [after].
+ * When [percept] has held in the agent's percepts for the time [after], plans send none of [commands] while [percept] still holds.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -78,7 +78,7 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
     }
 }
 
-/** An agent that has perceived something perceives something again within [within] of the end of the last event. */
+/** An agent that has perceived something perceives something again at most [within] after the last event has ended. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
@@ -100,7 +100,7 @@ private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, e
     return null
 }
 
-/** The time between the messages [last] and [next] of [agent]. The agent counts as blind from [blind] on. */
+/** The time between two messages to [agent], at [last] and [next]. The agent counts as blind from [blind] on. */
 private class BlindTime(
     private val run: Run,
     private val agent: String,
@@ -129,8 +129,8 @@ private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
     /**
-     * Returns each message with which the condition begins to hold, with the message with which it ceases to; null: it holds until the run
-     * ends.
+     * Returns the periods in which the condition holds: the first message of a period, and the first one behind it. Null: the period ends
+     * with the run.
      */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
@@ -146,7 +146,7 @@ private class PerceivedFormula(text: String) {
 
     private fun Agent.holds(percepts: List<String>): Boolean {
         bb.clear()
-        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // the agent leaves out unreadable percepts, too
+        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // unreadable percepts are left out, as by the agent
         return formula.logicalConsequence(this, Unifier()).hasNext()
     }
 }

@@ -8,7 +8,7 @@ import argo.testkit.nanos
 import javino.PortException
 import kotlin.time.Duration
 
-/** Plays [events], sorted by time, once against agents with the boards of [exploration]. */
+/** Runs agents with the boards of [exploration] once, with [events], which are sorted by time. */
 internal class Player(private val exploration: Exploration, private val events: List<WorldEvent>) {
     private val state = WorldState(exploration.boards, events)
     private val mas = TestMas()
@@ -26,7 +26,7 @@ internal class Player(private val exploration: Exploration, private val events: 
                 mas.all.forEach(recorder::watch)
             }
             drive()
-        } catch (busy: AssertionError) { // the test kit has found an agent that never rests
+        } catch (busy: AssertionError) { // the test kit has found an agent that reasons without end
             recorder.record(NeverRests(recorder.now, busy.message.orEmpty().lineSequence().first()))
         }
         recorder.isOver = true
@@ -93,7 +93,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         mas.all.flatMap { agent -> agent.platform.named().filterValues(Board::wasOpened).keys }.toSet()
 
     private companion object {
-        /** A smaller limit than in tests. An agent that repeats a failing step at once grows with each cycle, and there are many runs. */
+        /** A smaller limit than in tests, since there are many runs, and an agent that repeats a failing step grows with each cycle. */
         const val MOST_CYCLES = 500
     }
 }

@@ -9,7 +9,7 @@ import kotlin.time.Duration
  *         run.trace.filterIsInstance<Issued>().firstOrNull { it.command == "back" }?.let { Breach(it.at, "it reversed") }
  *     }
  *
- * The result of a rule must depend only on the run.
+ * A rule's result must depend only on the run.
  */
 fun interface Rule {
     /** Returns the first breach of this rule in [run]; null: there is none. */
@@ -32,8 +32,8 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
 }
 
 /**
- * A rule of this package. `toString` returns the call that makes it. [breachOf] returns an agent's first breach in a run; null: the agent
- * keeps the rule.
+ * A rule of this package. `toString` returns the call that makes the rule. [breachOf] returns an agent's first breach in a run; null: there
+ * is none.
  */
 internal class ReadyRule(
     val function: String,
@@ -49,7 +49,7 @@ internal class ReadyRule(
     override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachOf(run, it) }.minByOrNull { it.at }
 }
 
-/** Returns true if [pattern] is [command] or its name: `drive` stands for `drive(3)`. */
+/** Returns true if [pattern] is [command] or its name: `drive` matches `drive(3)`. */
 internal fun isCommand(command: String, pattern: String) = command == pattern || command.startsWith("$pattern(")
 
 internal fun List<String>.hasCommand(command: String) = any { isCommand(command, it) }

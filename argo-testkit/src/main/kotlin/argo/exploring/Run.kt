@@ -17,7 +17,7 @@ sealed interface AgentEntry : TraceEntry {
 /** [event] begins. */
 data class Happened(override val at: Duration, val event: WorldEvent) : TraceEntry
 
-/** A message of the board on [port] has come. The agent perceives this message soon, or never if a newer one comes first. */
+/** A message of the board on [port] has come. The agent perceives it soon, or never if a newer message comes first. */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
 /**
@@ -35,7 +35,7 @@ data class Perceived(
  * The agent has called `argo.act`, or a reflex was sent.
  *
  * @property number counts the agent's commands
- * @property plan the plan that called `argo.act`, with file and line; null: the command is no plan's
+ * @property plan the plan that called `argo.act`, with file and line; null: no plan sent the command
  */
 data class Issued(
     override val at: Duration,
@@ -46,7 +46,7 @@ data class Issued(
     val plan: String?,
 ) : AgentEntry
 
-/** An agent's command has ended. [error] is the atom in `error(…)`; null: the command has left or, in version 2, the board has acted. */
+/** An agent's command has ended. [error] is the atom in `error(…)`; null: the command was sent or, in version 2, carried out. */
 data class Ended(
     override val at: Duration,
     override val agent: String,
@@ -62,10 +62,10 @@ data class PortChanged(override val at: Duration, override val agent: String, va
 data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
     AgentEntry
 
-/** The agent's [intention] waits at one step, [since] this time. Recorded at the end of a run. */
+/** The agent's [intention] has waited at one step since the time [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
-/** A plan of the agent has failed, and there was no plan for the failure. [what] is Jason's message. */
+/** A plan of the agent has failed, and no plan handled the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
 /** The agent has printed [text]. */
@@ -77,7 +77,7 @@ data class Said(override val at: Duration, override val agent: String, val messa
 /** The agent has ended. */
 data class Stopped(override val at: Duration, override val agent: String) : AgentEntry
 
-/** An agent reasons without an end, so that time stands still. The run ends here. */
+/** An agent reasons without end, so that virtual time does not advance. The run ends here. */
 data class NeverRests(override val at: Duration, val what: String) : TraceEntry
 
 /**
@@ -85,8 +85,8 @@ data class NeverRests(override val at: Duration, val what: String) : TraceEntry
  *
  * @property events the events of the world, in the order of their times
  * @property trace all recorded entries, in the order of their times
- * @property ended the length of the run
- * @property arrived the commands that have arrived at each board, in their order
+ * @property ended the time at which the run ended, since it began
+ * @property arrived the commands that have arrived at each board, in the order of arrival
  * @property opened the ports that the agents have opened
  */
 class Run internal constructor(
@@ -102,7 +102,7 @@ class Run internal constructor(
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"
 
-    /** Describes the difference from [other], a run with the same events; null: there is none. */
+    /** Describes how this run differs from [other], a run with the same events; null: they are equal. */
     internal fun differenceFrom(other: Run): String? {
         val pairs = trace.size.coerceAtLeast(other.trace.size)
         val first = (0 until pairs).firstOrNull { trace.getOrNull(it) != other.trace.getOrNull(it) }

@@ -19,14 +19,14 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.reader
 import kotlin.time.Duration
 
-/** The explored agents. Made anew for each run. */
+/** Makes the explored agents, anew for each run. */
 internal fun interface Program {
     fun MasSetUp.make(setUp: AgentSetUp.() -> Unit)
 }
 
 /**
- * Returns the agents in the file [source]: the one of an `.asl`, or all of a `.mas2j`. The file is looked for as the test kit's `agent`
- * does.
+ * Returns the agents in the file [source]: the agent of an `.asl`, or all agents of a `.mas2j`. The file is searched for where the test
+ * kit's `agent` searches.
  *
  * @throws IllegalArgumentException if there is no such file, or it cannot be read
  */
@@ -90,7 +90,7 @@ internal class Scenario(private val program: Program, private val source: String
     /**
      * Plays [events] that a user has written.
      *
-     * @throws IllegalArgumentException if an event is about an unknown board, sensor or agent, so that nothing would happen
+     * @throws IllegalArgumentException if an event names an unknown board, sensor or agent, so that nothing would happen
      */
     fun playWritten(events: List<WorldEvent>): Run {
         events.map { it.form }.forEach { form ->

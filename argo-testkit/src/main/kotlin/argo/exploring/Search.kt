@@ -16,9 +16,7 @@ sealed interface Outcome {
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/**
- * Two runs with the same [events] differ, so no run shows how another one goes. [difference] names the first place at which they differ.
- */
+/** Two runs with the same [events] differ, so a run cannot be repeated. [difference] describes the first difference. */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 
@@ -73,8 +71,8 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     /**
-     * Returns true if the events of [seed] are played again with an additional fault, which hits a command. Most faults are found without
-     * the additional fault, and by fewer events.
+     * Returns true if the events of [seed] are played again with an additional fault, which hits a command. This is not done for each seed:
+     * most errors are found without the additional fault, and then with fewer events.
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 
@@ -101,7 +99,7 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
         require(it.agent in run.agents) { "a message is for the agent ${it.agent}; there are ${run.agents.joinToString()}" }
     }
 
-    /** Refuses a board that no agent opened, since its name may be misspelt. */
+    /** Refuses a described board that no agent has opened, since its name may be misspelt. */
     private fun requireOpened() {
         val missed = exploration.boards.keys - opened
         require(missed.isEmpty()) {
@@ -111,7 +109,7 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private companion object {
-        /** After this many lists of events, one in [HIT_EACH] is played once more. */
+        /** After so many lists of events, one list in [HIT_EACH] is played once more. */
         const val HIT_FROM = 20L
         const val HIT_EACH = 3L
 

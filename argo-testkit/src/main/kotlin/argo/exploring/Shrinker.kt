@@ -6,9 +6,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). The shrinker leaves out halves, smaller
- * parts and single events. The remaining events then get rounder times and numbers. [breaks] plays events and returns true if they still
- * break the rule.
+ * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). First the shrinker leaves out halves,
+ * smaller parts and single events. Then it rounds the times and numbers of the remaining events. [breaks] plays events and returns true if
+ * they still break the rule.
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {
@@ -47,7 +47,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         return left
     }
 
-    /** Returns values that are easier to read than [value], or smaller, the best first. The beginning of an event is only rounded. */
+    /** Returns values that are rounder or smaller than [value], the best first. The beginning of an event is only rounded. */
     private fun plainer(name: String, value: Any): List<Any> = when (value) {
         is Duration -> {
             val ms = value.inWholeMilliseconds

@@ -1,8 +1,8 @@
 package argo.exploring
 
 /**
- * Writes a Kotest spec that plays the shortened run of [found] and fails until the agent keeps the rule. The spec compiles in a project
- * with the test kit and with the agent in its folders.
+ * Writes a Kotest spec that plays the shortened run of [found], and that fails as long as the agent breaks the rule. The spec compiles in a
+ * project with the test kit and with the agent in its folders.
  */
 fun specOf(found: Found): String {
     val name = found.scenario.name.split(Regex("\\W|_")).joinToString("") { it.replaceFirstChar(Char::uppercase) }

@@ -34,7 +34,7 @@ internal class TraceRecorder(private val mas: TestMas) {
         minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
 
-    /** Returns the trace so far, with the lines that the agents have printed and the waits of their intentions. */
+    /** Returns the trace so far. It includes the lines that the agents have printed, and the waits of their intentions. */
     fun trace(): List<TraceEntry> {
         val names = minds.map { it.agent.name }
         val logged = mas.log.entries.mapNotNull { entry ->
@@ -74,23 +74,23 @@ internal class TraceRecorder(private val mas: TestMas) {
             super.stop()
         }
 
-        /** Returns the waits in an order that does not depend on the numbers of intentions, which differ from run to run. */
+        /** Returns the waits in an order that does not depend on the ids of intentions, since these differ from run to run. */
         fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** True if the run is over. Agents that stop after the run stop because of its end. */
+    /** True if the run is over. If an agent stops now, the end of the run is the cause. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** Returns the intentions that wait for something that may never come, as keys and words. The same key means the same step. */
+    /** Returns key and description of each intention at a step that may never end. The same key means the same step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
         (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
             .filterNot { it.isFinished || endsByItself(it) }
             .map { "${it.id} ${it.size()} ${stepOf(it)}" to "${it.last().trigger.literal.copy().apply { clearAnnots() }} at ${stepOf(it)}" }
 
-    /** Returns true if [intention] waits for a time in its step, such as `.wait(9000)` or `.send(bob, askOne, price(P), A, 9000)`. */
+    /** Returns true if the step of [intention] has a time limit, such as `.wait(9000)` or `.send(bob, askOne, price(P), A, 9000)`. */
     private fun endsByItself(intention: Intention): Boolean {
         val means = intention.peek()
         val step = means.currentStep?.bodyTerm as? InternalActionLiteral ?: return false
@@ -130,13 +130,13 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     private companion object {
-        /** Beginnings of Jason's messages about a failure without a plan. */
+        /** Beginnings of Jason's messages about a failure that no plan handles. */
         val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
 
         /** The text that follows the goal in these messages. */
         const val SOURCE = "["
 
-        /** The place of the time limit among the arguments of `.send`, from 0. */
+        /** The index of the time limit among the arguments of `.send`, counted from 0. */
         const val SEND_LIMIT = 4
         const val LONGEST_TEXT = 200
     }

@@ -22,7 +22,7 @@ internal class AgentInspector(private val ts: TransitionSystem) {
     val beliefs: List<String>
         get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
-    /** The agent's intentions in alphabetical order, each with the goals that led to it, the latest first, and its next step. */
+    /** The agent's intentions in alphabetical order. Each consists of its goals, the latest first, and its next step. */
     val intentions: List<String>
         get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
@@ -66,9 +66,9 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 }
 
 /**
- * Creates the agent in [file] behind [infra], as an infrastructure does. Sets Jason's source path for the whole Java program.
+ * Creates the agent in [file] on the infrastructure [infra], as Jason does. Changes Jason's source path for the whole Java program.
  *
- * @throws IllegalArgumentException if Jason cannot read it
+ * @throws IllegalArgumentException if Jason cannot read the file
  */
 @Synchronized
 internal fun create(file: Path?, called: String, setUp: AgentSetUp, infra: InfraArch, counter: PerceptionCounter): TransitionSystem {

@@ -14,8 +14,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     /**
      * One record.
      *
-     * @property logger the logger's name, which ends in the name of the record's agent
-     * @property isPrinted whether a plan has printed it, with `.print` or `.log`
+     * @property logger the logger's name, which ends with the name of the agent
+     * @property isPrinted true if a plan has printed the record, with `.print` or `.log`
      */
     class Entry(val atNanos: Long, val level: Level, val logger: String, val text: String, val isPrinted: Boolean) {
         fun isOf(agent: String) = logger.endsWith(".$agent")
@@ -50,8 +50,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     }
 
     /**
-     * Keeps the agents' log off the console. A failing expectation shows the log; the logs of all other tests would flood the console. If
-     * the property `argo.testkit.log` is `console`, the log appears anyway.
+     * Keeps the agents' log off the console. A failing expectation shows its log, and the logs of other tests would flood the console. If
+     * the property `argo.testkit.log` is `console`, all logs appear.
      */
     private class Quiet(private val other: Filter?) : Filter {
         override fun isLoggable(record: LogRecord): Boolean =

@@ -17,18 +17,18 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     var agentClass: Class<out Agent> = Agent::class.java
 
     /**
-     * Creates the agent's architecture: [Arch], or a subclass of the project that passes the platform on. Null: an agent of plain Jason,
-     * without a board.
+     * Creates the agent's architecture: [Arch], or the project's own subclass with the platform as its argument. Null: an agent of plain
+     * Jason, without a board.
      */
     var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The agent's Jason environment, for actions that are not internal and for percepts that are not a board's; null: none. An
-     * environment's actions take no time. Several agents of a test may share one environment. Threads of the environment run in real time.
+     * The agent's Jason environment, for external actions and for percepts that come from no board; null: none. Its actions take no time.
+     * Several agents of a test may share one environment. Threads of the environment run in real time.
      */
     var environment: Environment? = null
 
-    /** The time of each reasoning cycle of the agent. The next cycle begins when that time is over. */
+    /** The time that each reasoning cycle of the agent takes. The next cycle begins when this time is over. */
     var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)
@@ -41,12 +41,12 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
         this.options += options
     }
 
-    /** Adds directories for included files, besides that of the `.asl`: `aslSourcePath` in a `.mas2j`. */
+    /** Adds directories for included files, in addition to the directory of the `.asl`: `aslSourcePath` in a `.mas2j`. */
     fun sourcePath(vararg directories: String) {
         sourcePaths += directories
     }
 
-    /** The board on the agent's first port, unless [board] names another port. */
+    /** The board on the first port that a call of [board] names or the agent opens. */
     val board: Board get() = platform.first()
 
     /** Returns the board on [port]. */

@@ -9,8 +9,8 @@ import java.nio.file.Path
  *     robot.perceives("dist(front,30)")
  *     robot.shouldSend("stop")
  *
- * Jason reads the agent and runs it on `argo.Arch`, as in a project. Only time and the boards are simulated. The agent has its file's name.
- * Close it at the end of the test, with `use` or Kotest's `autoClose`.
+ * Jason reads the agent and runs it on `argo.Arch`, as in a project. Only time and the boards are simulated. The agent is named like its
+ * file. Close the agent at the end of the test, with `use` or Kotest's `autoClose`.
  *
  * @param source a path from the directory in which the test runs, or from `src/agt`, `src/main/asl` or `src/test/resources` under it
  * @param setUp configures the agent and its boards before the agent starts

@@ -28,10 +28,10 @@ import kotlin.time.Duration.Companion.nanoseconds
 
 /**
  * The board on a port of an agent under test. The board answers each request for percepts with the values that its sensors [show][shows],
- * and takes every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
+ * and treats every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
  *
- * The board's line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and
- * takes effect at once. The agent reacts when time advances.
+ * The board's line carries bytes at the agent's baud rate, in virtual time. Each function's name is a verb, whose subject is the board:
+ * `board.hangs()`. A function has its effect at once. The agent reacts when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
@@ -50,7 +50,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal var answers = 0
         private set
 
-    /** The percepts that the board's sensors showed last; null: none so far, or the board ignores requests, or its port leads elsewhere. */
+    /** The percepts that the board's sensors showed last. Null: none so far, the board ignores requests, or its port leads elsewhere. */
     internal var shown: List<String>? = null
         private set
 
@@ -64,14 +64,14 @@ class Board internal constructor(private val time: VirtualTime) {
     )
     private var bootMs = 0
 
-    /** True if the board's program must begin anew on its line. */
+    /** True if the board's program must start again on the same line. */
     @Volatile
     private var isToRestart = false
 
-    /** True if the board answers no requests for percepts now, whatever its sensors show. */
+    /** True if the board now ignores requests for percepts, even if its sensors show some. */
     internal var isSilent = false
 
-    /** One in this many bytes on the line arrives with a wrong bit, in each direction; 0: none. */
+    /** Of so many bytes on the line, one has a wrong bit, in each direction; 0: no byte has one. */
     internal var garbledOneIn = 0
 
     /**
@@ -87,31 +87,29 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * The board's sensors show the percepts of [sensors] from now on. The board's thread calls [sensors] for each request, with the time
-     * since the test began. A robot that drives at 10 cm/s towards a wall: `shows { listOf("dist(front,${90 - it.inWholeMilliseconds /
-     * 100})") }`. Percepts that an agent would leave out fail the test.
+     * since the test began. Example, a robot that drives at 10 cm/s towards a wall:
+     * `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`. Percepts that an agent would leave out fail the test.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
         val percepts = sensors(now).also { shown = it }
         messageOf(percepts.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
-    /**
-     * From now on the board answers requests for percepts with exactly [message], even one that no sensor should send: `dist(front;)(;`.
-     */
+    /** From now on the board answers requests for percepts with exactly [message], even if it is malformed: `dist(front;)(;`. */
     fun showsRaw(message: String): Board = apply {
         sendable(message)
         showsRaw { message }
         shown = perceptsOf(message)
     }
 
-    /** From now on the board answers requests for percepts with the result of [message], which is called like the argument of [shows]. */
+    /** From now on the board answers requests for percepts with the result of [message], which is called as [shows] calls its argument. */
     fun showsRaw(message: (Duration) -> String): Board = answers {
         sendable(message(now)).also { shown = perceptsOf(it) }
     }
 
     /**
-     * From now on the board answers no request for percepts, until [shows] is called. The board still takes commands. The agent believes
-     * `port(P,timeout)`.
+     * From now on the board answers no request for percepts, until [shows] is called. The board still carries out commands. The agent
+     * believes `port(P,timeout)`.
      */
     fun ignoresRequests(): Board = apply {
         answer = { null }
@@ -119,7 +117,7 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board sends [percepts] unasked, now, as on a port opened with `mode(listen)`.
+     * The board sends [percepts] now, without a request, as boards do on a port that is opened with `mode(listen)`.
      * @throws IllegalArgumentException if an agent would leave out a percept
      */
     fun says(vararg percepts: String): Board = apply {
@@ -127,14 +125,14 @@ class Board internal constructor(private val time: VirtualTime) {
         shown = percepts.toList()
     }
 
-    /** The board puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
+    /** The board now puts [bytes] on the line unchanged, such as noise or half a message. Each character is one byte. */
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
 
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. The board then takes any
-     * command. The board's other settings have no effect, except those of its port.
+     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. It accepts any command. The
+     * board's other settings have no effect, except those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -142,24 +140,24 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If the recording is a bag of ROS 2 in the
-     * MCAP format, the board [plays its mapping][playsItsMapping]. It publishes the messages of the bag at their times, counted from the
-     * agent's first perception.
+     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If the recording is a ROS 2 bag in the
+     * MCAP format, the board [plays its mapping][playsItsMapping] and publishes the bag's messages at their recorded times, counted from
+     * the agent's first perception.
      */
     fun replays(file: Path): Board =
         if (McapReader.isMcap(file)) playsItsMapping().apply { bag = file } else replays(LineRecording.read(file))
 
     /**
-     * The board's port, when opened next, leads to the line that [open] opens, such as the line of a simulated sketch. [open] gets the
-     * port's name and settings, and the line's clock. After this call, expectations of commands have no effect, nor have the board's other
-     * settings except those of its port.
+     * When the board's port is opened next, it leads to the line that [open] returns, such as the line of a simulated sketch. [open] gets
+     * the port's name and settings, and the line's clock. From then on expectations of commands have no effect, and of the board's settings
+     * only those of its port.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /**
-     * The board's port leads to no line, but to the robot that the port's name means, such as `ros://robot:9090`. A mapping turns the
-     * robot's topics into percepts. The mapping and ARGO's side are real, but there is no robot: the test [publishes] its messages, and
-     * each command is done at once. The board's settings have no effect, except those of its port. Call this before the port is opened.
+     * The board's port leads to the robot that the port's name denotes, such as `ros://robot:9090`, and not to a line. A mapping turns the
+     * robot's topics into percepts. The mapping and ARGO's side are real, the robot is not: the test [publishes] its messages, and each
+     * command succeeds at once. Of the board's settings, only those of its port have an effect. Call this before the port is opened.
      */
     fun playsItsMapping(): Board = apply { isMapped = true }
 
@@ -175,7 +173,7 @@ class Board internal constructor(private val time: VirtualTime) {
         played?.says(topic, message)
     }
 
-    /** The messages, requests and goals to the robot, each with its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
+    /** The messages, requests and goals sent to the robot, each behind its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
     val published: List<String> get() = taking
 
     /** The board speaks version 2 of the protocol with agents that speak it. Call this before the port is opened. */
@@ -185,9 +183,8 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board tells agents of version 2 that it has only these [actions]. Examples are `ledOn`, `speed/1` with one argument, and `say`
-     * with a slash and a star behind it for any number. Without this call the board describes no actions, and agents send commands
-     * unchecked.
+     * The board tells agents of version 2 that it knows only these [actions]: `ledOn`, or `speed/1` for one argument, or `say` with a slash
+     * and a star for any number of arguments. Without this call the board describes no actions, and agents send commands unchecked.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
@@ -198,25 +195,22 @@ class Board internal constructor(private val time: VirtualTime) {
     fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
 
     /**
-     * The board has room for [count] critical rules, which it watches itself. Every 5 ms the board compares the rules with the percepts
-     * that its sensors [show][shows]. The board carries out the rules' reflexes, which count as arrived [commands]. Only in version 2. Call
-     * this before the port is opened.
+     * The board has room for [count] critical rules, which it checks itself every 5 ms against the percepts that its sensors [show][shows].
+     * It carries out the reflexes of these rules; the reflexes count as arrived [commands]. Only in version 2. Call this before the port is
+     * opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
     /**
      * The board refuses [command], so the agent's plan fails with `error(act_refused)`.
-     * @throws IllegalStateException if the board speaks version 1, in which no board can refuse
+     * @throws IllegalStateException if the board speaks version 1, in which boards cannot refuse
      */
     fun refuses(command: String): Board = apply { refusable(fake.whenAsked(command)) }
 
     /** The board refuses every command for which [kind] is true: see the other [refuses]. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /**
-     * From now on the board carries [command] out without delay, even if it has [refused][refuses] the command or has [taken][takes] time
-     * for it so far.
-     */
+    /** From now on the board carries out [command] at once. This ends the effect of [refuses] and [takes] on [command]. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** The board needs [duration] to carry out [command], and does nothing else during that time. */
@@ -228,7 +222,7 @@ class Board internal constructor(private val time: VirtualTime) {
         fake.bootTakes(bootMs)
     }
 
-    /** The board answers each request for percepts [duration] later than it could, and does nothing else during that time. */
+    /** The board delays each answer to a request for percepts by [duration], and does nothing else during that time. */
     fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
 
     /**
@@ -254,8 +248,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun recovers(): Board = apply { fake.resume() }
 
     /**
-     * The board's cable is pulled. Opening the port fails with `error(no_such_port)` until [reconnects] is called. An agent with the port
-     * open believes `port(P,off)`. The board loses power, so it no longer [hangs].
+     * The board's cable is pulled. Opening the port fails with `error(no_such_port)` until [reconnects] is called. If the port is open, the
+     * agent believes `port(P,off)`. The board has no power, so [hangs] has no effect any more.
      */
     fun disconnects(): Board = apply {
         isConnected = false
@@ -267,7 +261,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board's cable is plugged in again. */
     fun reconnects(): Board = apply { isConnected = true }
 
-    /** [owner], an agent or a program, holds the board's port. Opening the port fails with `error(port_busy)` until [admits] is called. */
+    /** [owner], an agent or a program, uses the board's port. Opening the port fails with `error(port_busy)` until [admits] is called. */
     fun belongsTo(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
 
     /** The agent has no permission to open the board's port. Opening fails with `error(port_permission)` until [admits] is called. */
@@ -279,28 +273,28 @@ class Board internal constructor(private val time: VirtualTime) {
     /** True if the agent has the board's port open. */
     val isOpen: Boolean get() = line?.let { !it.isGone } ?: played?.link?.isOpen ?: false
 
-    /** The messages that have arrived, requests for percepts and commands, in their order. */
+    /** The messages that have arrived, in the order of arrival: requests for percepts, and commands. */
     val received: List<String> get() = timed.map { it.command }
 
-    /** The commands that have arrived, in their order. */
+    /** The commands that have arrived, in the order of arrival. */
     val commands: List<String> get() = received.filterNot(PerceptsRequest::isIn)
 
     /** The [commands], each with the time of its arrival. */
     val arrivals: List<Arrival> get() = timed.filterNot { PerceptsRequest.isIn(it.command) }
 
-    /** The requests for percepts that have arrived, in their order: `getPercepts`, or one with functors from an agent of version 2. */
+    /** The requests for percepts that have arrived, in order: `getPercepts`, in version 2 perhaps with the functors asked for. */
     val requests: List<String> get() = received.filter(PerceptsRequest::isIn)
 
     private val timed: List<Arrival> get() = fake.receivedMessages().map { Arrival(it.text(), it.nanos().nanoseconds) } + replayed
 
     private val now: Duration get() = time.nanos().nanoseconds
 
-    /** The [arrivals], each with true if an expectation has taken it. */
+    /** The [arrivals], each with true if an expectation has used it. */
     internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
-    /** Takes [command] if it has arrived at an [acceptable time][isTimely] and no expectation has taken it. */
+    /** Marks [command] as used by an expectation; false if no unused one has arrived at an [acceptable time][isTimely]. */
     internal fun take(command: String, isTimely: (Duration) -> Boolean = { true }): Boolean {
         val index = arrivals.withIndex().firstOrNull { (i, it) -> i !in taken && it.command == command && isTimely(it.at) }?.index
             ?: return false
@@ -312,11 +306,11 @@ class Board internal constructor(private val time: VirtualTime) {
 
     internal val isPresent: Boolean get() = isConnected
 
-    /** True if the board's port is the robot of the port's name: see [playsItsMapping]. */
+    /** True if the board's port leads to the robot that its name denotes: see [playsItsMapping]. */
     internal var isMapped = false
         private set
 
-    /** Opens the board's port as the robot of the port's name. */
+    /** Opens the board's port to the robot that the [port]'s name denotes. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time, bag) { name, message -> taking += "$name $message" }
@@ -393,7 +387,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** Refuses a misspelt percept, since with such a percept each later `shouldNotSend` would pass. */
+/** Refuses a malformed percept: the agent would leave it out, and each later `shouldNotSend` would pass. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

@@ -3,8 +3,8 @@ package argo.testkit
 import kotlin.time.Duration
 
 /**
- * Runs the reasoning cycles of [agent]. Each cycle takes the agent's cycle time. Only a limited number of cycles may run at one instant,
- * since time advances only when the agent sleeps.
+ * Runs the reasoning cycles of [agent]. Each cycle takes the agent's cycle time. Virtual time advances only when the agent sleeps, so the
+ * number of cycles at one instant is limited.
  */
 internal class CycleLimit(private val agent: TestAgent) {
     private val time get() = agent.mas.time
@@ -13,7 +13,7 @@ internal class CycleLimit(private val agent: TestAgent) {
     private var isBusy = false
 
     /**
-     * Runs one cycle and returns true. Returns false if the agent sleeps, or its last cycle is not over. Fails if the agent never sleeps.
+     * Runs one cycle and returns true. Returns false if the agent sleeps or its last cycle is not over. Fails if the agent never sleeps.
      */
     fun step(): Boolean {
         if (isBusy || !reason()) return false
@@ -45,7 +45,7 @@ internal class CycleLimit(private val agent: TestAgent) {
     }
 
     companion object {
-        /** The most cycles of an agent at one instant, unless [TestMas.mostCycles] is changed. */
+        /** The default limit of an agent's cycles at one instant; [TestMas.mostCycles] changes it. */
         const val MOST = 10_000
     }
 }

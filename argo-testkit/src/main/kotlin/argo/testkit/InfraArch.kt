@@ -13,7 +13,7 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking. [mas] are the agents with which it
+ * The infrastructure of an agent under test: gives it a name, a mailbox and an environment, and wakes it. [mas]: the agents with which it
  * exchanges messages.
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
@@ -38,7 +38,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
         wake()
     }
 
-    /** Stops the agent once, as an infrastructure does. */
+    /** Stops the agent, as Jason's infrastructure does. Further calls have no effect. */
     fun end() {
         if (!running) return
         running = false
@@ -83,7 +83,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 gets some services here
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 still calls this for some services
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {

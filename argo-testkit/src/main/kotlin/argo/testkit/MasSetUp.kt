@@ -6,7 +6,7 @@ import kotlin.io.path.nameWithoutExtension
 /** The agents of a test and their configuration: the receiver of [mas]'s argument. */
 @TestSetUp
 class MasSetUp internal constructor(private val mas: TestMas) {
-    /** Adds the agent in the file [source], which is looked for as [argo.testkit.agent] does. */
+    /** Adds the agent in the file [source], for which it searches like [argo.testkit.agent]. */
     fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}) {
         make(found(source), setUp)
     }
@@ -26,6 +26,6 @@ class MasSetUp internal constructor(private val mas: TestMas) {
     }
 }
 
-/** Marks configurations, so that one agent's configuration cannot stand within another's. */
+/** Marks configurations, so that one agent's configuration cannot be nested in another's. */
 @DslMarker
 annotation class TestSetUp

@@ -14,7 +14,7 @@ import kotlin.io.path.writeText
  */
 internal fun found(source: String, first: List<String> = emptyList()): Path = found("agent", source, first + DIRECTORIES)
 
-/** Finds the file of the [kind] with this [name] in the first of [directories] that has it. */
+/** Finds the file called [name], a file of this [kind], in the first of [directories] that contains it. */
 internal fun found(kind: String, name: String, directories: List<String>): Path {
     val places = directories.map { Path.of(it, name).toAbsolutePath().normalize() }
     return places.firstOrNull { it.isRegularFile() }

@@ -12,17 +12,17 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.toJavaDuration
 
 /**
- * Runs an agent's present program on a recorded drive, which the option `argo_record` has made:
+ * Runs an agent's present program on the percepts of a recorded drive. The option `argo_record` makes such recordings:
  *
  *     test("the robot does in the corridor what it did") {
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * [WhatIf] describes in which cases the result is exact.
+ * [WhatIf] describes when the result is exact.
  *
  * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
- * @param agent the name of the agent; null: the recording has only one
- * @param program the agent's present program, looked for as [argo.testkit.agent] does; null: the file that is named like the recorded one
+ * @param agent the name of the agent; null: the recording has only one agent
+ * @param program the agent's present program, searched for like that of [argo.testkit.agent]; null: the file with the recorded name
  * @param filter the filter through which the agent perceives its boards; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */
@@ -63,7 +63,7 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     /**
      * Expects the recorded commands, in their order, each at its recorded time.
      *
-     * @param within the time by which a command may be earlier or later
+     * @param within the most time by which a command may be earlier or later
      * @throws AssertionError with the first command that differs
      */
     fun shouldSendTheSame(within: Duration = WITHIN): ReplayedDrive = apply {
@@ -94,7 +94,7 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     }
 
     private companion object {
-        /** The time by which a command may be earlier or later by default. */
+        /** The default limit of the time by which a command may be earlier or later. */
         val WITHIN = 100.milliseconds
         const val SHOWN_BEFORE = 3
         const val SHOWN = 7

@@ -34,10 +34,10 @@ internal fun TestAgent.whyBlind(): String {
     }
 }
 
-/** Describes the percepts of the agent's boards, their fate in the filters, and whether the agent perceives them. */
+/** Describes the percepts of the agent's boards, what filters do with them, and whether the agent perceives the boards. */
 private fun TestAgent.boards(): List<String> {
     val agent = observed() ?: return emptyList()
-    val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // port names are literals
+    val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // these names are in Jason's syntax, with quotes
     val blocked = if (agent.isPerceiving) emptyList() else listOf("perceiving is blocked: the agent starts it with argo.percepts(open)")
     return blocked + platform.named().flatMap { (name, board) ->
         val port = ports[name]
@@ -50,7 +50,7 @@ private fun TestAgent.boards(): List<String> {
     }
 }
 
-/** Describes the fate of [percept]; null: it is believed unchanged. */
+/** Describes what happens to [percept]; null: the agent believes it unchanged. */
 private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Boolean): String? {
     val fault = whyLeftOut(percept.trim())
     return when {
@@ -70,7 +70,7 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
         "at ${arrival.at.inWholeMilliseconds} ms: ${arrival.command}${if (isTaken) ", taken by an earlier expectation" else ""}"
     }
 
-/** Selects the newest entries, and all errors, even old ones: an unreadable program is reported at the start. */
+/** Selects the newest entries, and all errors, even old ones, since an unreadable program is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
         .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }

@@ -10,9 +10,9 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * An agent under test, in virtual time. Virtual time advances only inside [after], [perceives] and the functions that begin with `should`,
- * once every thread is waiting. The agent reasons until it sleeps. Time then jumps to the end of the shortest wait of the agent, its boards
- * and their lines.
+ * An agent under test, in virtual time. Virtual time advances only inside [after], [perceives] and the functions that begin with `should`.
+ * The agent reasons until it sleeps. When every thread waits, time jumps to the end of the shortest wait of the agent, its boards and their
+ * lines.
  *
  * An expectation waits until it is met, up to one second of virtual time or the given time. An expectation that something does not happen
  * watches for the whole time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
@@ -21,7 +21,7 @@ import kotlin.time.Duration.Companion.seconds
  * May be used by one thread at a time.
  */
 class TestAgent internal constructor(
-    /** All agents of this agent's test, itself included: the agents of the start, and those that they have created. */
+    /** All agents of this agent's test, including itself and the agents that agents have created. */
     val mas: TestMas,
     file: Path?,
     called: String,
@@ -42,7 +42,7 @@ class TestAgent internal constructor(
     private val inspector = AgentInspector(ts)
     internal val cycles = CycleLimit(this)
 
-    /** The first directories of the search for programs of agents that this agent creates. */
+    /** The directories that are searched first for programs of agents that this agent creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
     /** The agent's name. */
@@ -75,7 +75,7 @@ class TestAgent internal constructor(
     /** The lines that the agent has printed, with `.print` and similar actions. */
     val printed: List<String> get() = mas.log.printedBy(name)
 
-    /** The log so far, each record with its level, without records about other agents of the test. */
+    /** The log so far without records of the test's other agents. Each record has its level. */
     val log: List<String> get() = entries.map { "$it" }
 
     internal val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
@@ -88,13 +88,13 @@ class TestAgent internal constructor(
 
     /**
      * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived these percepts.
-     * Fails if the percepts have not reached the agent [within] that time, for example because perceiving is blocked.
+     * Fails if the percepts do not reach the agent in the time [within], for example because perceiving is blocked.
      * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [perceivesRaw]
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
         perceives(percepts.joinToString().ifEmpty { "no percepts" }, within) { shows(*percepts) }
 
-    /** Like [perceives], with exactly [message] as the board's message, even one that no sensor should send: `dist(front;)(;`. */
+    /** Like [perceives], but the board sends exactly [message], even if it is malformed: `dist(front;)(;`. */
     fun perceivesRaw(message: String, within: Duration = PATIENCE): TestAgent = perceives(message, within) { showsRaw(message) }
 
     private fun perceives(what: String, within: Duration, shows: Board.() -> Unit): TestAgent = apply {
@@ -109,7 +109,7 @@ class TestAgent internal constructor(
         mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }
 
-    /** Sends the agent [content] from [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
+    /** Sends the agent [content] from [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one that `.send` accepts. */
     fun hears(sender: String, performative: String, content: String): TestAgent = apply {
         require(performative in Message.knownPerformatives) {
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
@@ -126,8 +126,8 @@ class TestAgent internal constructor(
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. So a test checks how
-     * promptly the agent reacts to something that the test did at [since]. Each arrived command fulfils one expectation.
+     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. With this, a test checks
+     * how promptly the agent reacts to something that the test did at [since]. Each arrived command fulfils one expectation.
      * @throws IllegalArgumentException if [since] is in the future
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
@@ -139,11 +139,11 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects that [command] has not arrived at the agent's boards and does not arrive, except arrivals that [shouldSend] has taken. */
+    /** Expects that [command] has not arrived at the agent's boards and does not. Arrivals that fulfilled [shouldSend] do not count. */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends $command") { platform.all().any { command in it.unexpected } }
 
-    /** Expects that no command has arrived at the agent's boards and none arrives, except arrivals that [shouldSend] has taken. */
+    /** Expects that no command has arrived at the agent's boards and none arrives. Arrivals that fulfilled [shouldSend] do not count. */
     fun shouldSendNothingElse(during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends anything else") { platform.all().any { it.unexpected.isNotEmpty() } }
 
@@ -167,7 +167,7 @@ class TestAgent internal constructor(
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "prints $text") { printed.any { text in it } }
 
-    /** Expects that the agent has sent, or sends, [message] to another: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
+    /** Expects that the agent has sent [message], or sends it: `tell(bob,ready)`, or to all agents `tell(everybody,ready)`. */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
@@ -205,13 +205,13 @@ class TestAgent internal constructor(
     internal fun takeBoardsAway() = platform.all().forEach(Board::end)
 
     /**
-     * Stops the agent and all other agents of its test, and takes their boards away.
+     * Stops the agent and all other agents of its test, and removes their boards.
      * @throws IllegalStateException if an architecture leaves a thread behind
      */
     override fun close() = mas.close()
 
     internal companion object {
-        /** The board is asked again only when the agent has read its first answer. */
+        /** The second request shows that the agent has read the board's answer to the first. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }
 }

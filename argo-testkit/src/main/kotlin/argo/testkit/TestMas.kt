@@ -21,7 +21,7 @@ class TestMas internal constructor() : AutoCloseable {
     internal val log = AgentLog(time)
     private val agents = LinkedHashMap<String, TestAgent>() // the last agent of each name
     private val made = ArrayList<TestAgent>()
-    private val strangers = HashSet<Pair<String, String>>() // pairs of a sender and a receiver that is no agent of this test
+    private val strangers = HashSet<Pair<String, String>>() // pairs of sender and receiver, if the receiver is no agent of this test
     private var closed = false
 
     /** Returns the time that a message between agents of the test takes. Called when the message is sent. */
@@ -29,7 +29,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal var mostCycles = CycleLimit.MOST
 
-    /** Opens the observer of a new agent; null: nobody observes. */
+    /** Makes the observer of a new agent; null: no agent has an observer. */
     internal var observing: ((ObservedAgent) -> AgentObserver)? = null
 
     /** The names of the running agents, in the order in which they were made. */
@@ -55,13 +55,13 @@ class TestMas internal constructor() : AutoCloseable {
      */
     internal fun pass(duration: Duration, reached: () -> Boolean): Boolean = open { time.advanceUntil(nanos(duration), reached) }
 
-    /** Does [work], which changes something, unless the agents are closed. */
+    /** Calls [work] and returns its result; fails if the agents are closed. */
     internal fun <T> open(work: () -> T): T {
         check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; expectations of them belong before that" }
         return work()
     }
 
-    /** Does [making], which makes agents, and then lets all agents run. If [making] fails, no agent is left. */
+    /** Calls [making], which makes agents, and then lets all agents run. If [making] fails, all agents are stopped. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()
@@ -97,7 +97,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Takes [message] to its receiver. If the receiver is no agent of the test, the sender's log says so once. */
+    /** Delivers [message] to its receiver. If the receiver is no agent of the test, the sender's log reports this once. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)
@@ -114,12 +114,12 @@ class TestMas internal constructor() : AutoCloseable {
         )
     }
 
-    /** Takes [message] to all agents except its sender. */
+    /** Delivers [message] to all agents except its sender. */
     internal fun broadcast(message: Message) = running().filter { it.name != message.sender }.forEach { other ->
         deliver(message.clone().apply { receiver = other.name })
     }
 
-    /** Stops [agents] in [deadlineMs] ms of virtual time, and tells them so at once. */
+    /** Stops [agents] after [deadlineMs] ms of virtual time, and announces this to them at once. */
     internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
         if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
         time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // timers never run within a reasoning cycle
@@ -128,18 +128,18 @@ class TestMas internal constructor() : AutoCloseable {
     private fun shuttingDown(deadlineMs: Int) =
         Trigger(TEOperator.add, TEType.belief, ASSyntax.createLiteral("jag_shutting_down", ASSyntax.createNumber(deadlineMs.toDouble())))
 
-    /** Returns the log's entries about the agent [name], and those about no agent. */
+    /** Returns the log's entries about the agent [name], and those that are about no agent. */
     internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {
-        TestServices.install() // a multi-agent system may have started and installed its own services
+        TestServices.install() // a multi-agent system that has started since then may have installed its own services
         var isBusy = false
         for (agent in running()) if (agent.cycles.step()) isBusy = true
         return isBusy
     }
 
     /**
-     * Stops all agents and takes their boards away. May be called twice.
+     * Stops all agents and removes their boards. May be called twice.
      * @throws IllegalStateException if an agent's architecture leaves a thread behind
      */
     override fun close() {
@@ -165,7 +165,7 @@ class TestMas internal constructor() : AutoCloseable {
     private companion object {
         const val NANOS_PER_MS = 1_000_000L
 
-        /** Names that mean something else to Jason. */
+        /** Names that have another meaning in Jason. */
         val RESERVED = listOf("self", "percept")
     }
 }

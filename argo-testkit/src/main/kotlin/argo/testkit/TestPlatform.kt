@@ -8,7 +8,7 @@ import javino.link.Link
 import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 
-/** The platform of an agent under test: [time] and simulated boards. A port without a name in the test gets a board when it is opened. */
+/** The platform of an agent under test: [time] and simulated boards. A port that the test has not named gets a board when it is opened. */
 internal class TestPlatform(private val time: VirtualTime) : Platform {
     private val boards = LinkedHashMap<String, Board>()
     private var unnamed: Board? = null

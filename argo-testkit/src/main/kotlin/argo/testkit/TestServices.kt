@@ -12,8 +12,9 @@ import java.lang.reflect.Proxy
 import java.rmi.RemoteException
 
 /**
- * The runtime services for Jason's internal actions, such as `.create_agent` and `.stopMAS`. A call goes to the [TestMas] of the calling
- * agent, or to a real multi-agent system beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
+ * The runtime services for Jason's internal actions, such as `.create_agent` and `.stopMAS`. The [TestMas] of the calling agent serves a
+ * call; calls of other agents go to the real multi-agent system. Calls are dispatched by name, since versions of Jason name some services
+ * differently.
  */
 internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
     override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {
@@ -23,7 +24,7 @@ internal class TestServices private constructor(private val real: RuntimeService
 
     private fun delegate(method: Method, arguments: Array<out Any?>): Any? {
         if (real == null) {
-            if (method.name == "isRunning") return false // a real agent asks before it begins
+            if (method.name == "isRunning") return false // a real agent asks this before it begins
             throw RemoteException("no multi-agent system is running here")
         }
         try {

@@ -11,7 +11,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var holds = 0
     private val asking = ArrayDeque<Any>()
 
-    private fun me(): Any = time.running ?: time // the driver of [time] has no thread object
+    private fun me(): Any = time.running ?: time // [time] itself represents its driver, for which running is null
 
     private fun isFree() = holds == 0 || owner === me()
 
@@ -75,7 +75,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
         override fun awaitNanos(nanosTimeout: Long): Long {
             requireMine()
             val deadline = time.nanos() + nanosTimeout
-            wait(if (deadline < 0) null else deadline, true) // a time whose sum overflows is never reached
+            wait(if (deadline < 0) null else deadline, true) // if the sum overflows, the wait has no limit
             return deadline - time.nanos()
         }
 

@@ -8,11 +8,11 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting; it then jumps to the end of the shortest
+ * Virtual time. Virtual time advances only when all threads that [start] has started are waiting; it then jumps to the end of the shortest
  * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The driver of this time is the test's thread, which calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
- * There must be one driver at a time.
+ * The thread of the test is the driver of this time: it calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
+ * There must be only one driver at once.
  */
 internal class VirtualTime : LineClock {
     private val threads = ArrayList<VirtualThread>()
@@ -21,7 +21,7 @@ internal class VirtualTime : LineClock {
     private var nowNanos = 0L
     private var timersSoFar = 0L
 
-    /** Does a part of the agents' due work on the driver's thread; returns false if there was none. */
+    /** Does a part of the work that agents have to do now, on the driver's thread; returns false if there was none. */
     var work: () -> Boolean = { false }
 
     var mas: TestMas? = null
@@ -45,7 +45,7 @@ internal class VirtualTime : LineClock {
         it.start()
     }
 
-    /** Does [action] on the driver's thread in [delayNanos]. The action must not wait. Returns a function that cancels it. */
+    /** Calls [action] on the driver's thread after [delayNanos]. The action must not wait. Returns a function that cancels the call. */
     fun later(delayNanos: Long, action: () -> Unit): () -> Unit {
         val timer = Timer(nowNanos + maxOf(0, delayNanos), timersSoFar++, action)
         timers += timer
@@ -55,8 +55,8 @@ internal class VirtualTime : LineClock {
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
     /**
-     * Advances time until [reached] is true, at most by [nanos]. Returns whether [reached] is true. Work that is due at the last instant is
-     * done.
+     * Advances time until [reached] is true, at most by [nanos]. Returns the last result of [reached]. Work that is due at the last instant
+     * is still done.
      * @throws InterruptedException if the driver is interrupted, as by a test's time limit
      */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
@@ -65,7 +65,7 @@ internal class VirtualTime : LineClock {
             if (Thread.interrupted()) throw InterruptedException("the test was interrupted")
             val rests = settle()
             if (reached()) return@driving true
-            if (nowNanos > end) return@driving false // an agent has waited inside its cycle and advanced time
+            if (nowNanos > end) return@driving false // an agent that waited inside its cycle has advanced time
             if (rests) nowNanos = nextInstant()?.takeIf { it <= end } ?: break
         }
         nowNanos = maxOf(nowNanos, end)
@@ -88,7 +88,7 @@ internal class VirtualTime : LineClock {
     val running: Any? get() = Thread.currentThread().let { if (it is VirtualThread && it.time === this) it else null }
 
     /**
-     * Waits until [ready] is true, or until the time [deadlineNanos]; null: without limit. The running thread calls this.
+     * Waits until [ready] returns true, or until the time [deadlineNanos]; null: without limit. Call this on the thread that waits.
      * @throws InterruptedException if the wait is [interruptible] and was interrupted
      */
     fun block(deadlineNanos: Long?, interruptible: Boolean, ready: () -> Boolean) {
@@ -128,8 +128,8 @@ internal class VirtualTime : LineClock {
     }
 
     /**
-     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted, since no thread may
-     * run beside it.
+     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver goes on to wait even if it is interrupted, since it
+     * must not run at the same time as a thread.
      */
     private fun returns(): Boolean {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
@@ -147,12 +147,12 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** Returns the time at which the next thread or timer is due, which is not in the past; null: none is due. */
+    /** Returns the time, not in the past, at which the next thread or timer is due; null: none is due. */
     private fun nextInstant(): Long? =
         (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
             .minOrNull()?.let { maxOf(it, nowNanos) }
 
-    /** Does [work] in this time. Threads that [work] starts and records that it logs belong to this time. */
+    /** Calls [work] in this time: threads that [work] starts, and records that it logs, belong to this time. */
     fun <T> driving(work: () -> T): T {
         val before = ACTIVE.get()
         ACTIVE.set(this)
@@ -191,7 +191,7 @@ internal class VirtualTime : LineClock {
             awaitTurn()
             try {
                 body()
-            } catch (cause: Throwable) { // the driver throws this cause
+            } catch (cause: Throwable) { // the driver throws an exception with this cause
                 failure = cause
             } finally {
                 over = true
@@ -227,10 +227,10 @@ internal class VirtualTime : LineClock {
     companion object {
         private val ACTIVE = ThreadLocal<VirtualTime?>()
 
-        /** Returns the time that the calling thread belongs to or drives; null: none. */
+        /** Returns the virtual time of the calling thread, which runs in it or drives it; null: there is none. */
         fun active(): VirtualTime? = (Thread.currentThread() as? VirtualThread)?.time ?: ACTIVE.get()
 
-        /** The limit of a resumed thread's run in real time, in s. */
+        /** The limit of the real time for which a resumed thread may run, in s. */
         private const val STUCK_S = 30L
     }
 }

@@ -3,19 +3,19 @@ package argo.check.findings
 import argo.check.syntax.Position
 import java.nio.file.Path
 
-/** How sure a finding is, and how bad. */
+/** How certain a finding is, and how serious. */
 enum class Level {
-    /** Jason refuses the program, or this place fails whenever it runs. */
+    /** Jason refuses the program, or the step at this place always fails. */
     ERROR,
 
     /** The author very probably meant something else. */
     WARNING,
 
-    /** The author may mean this, but it is worth a look. */
+    /** The author may have meant this, but should check it. */
     HINT,
 }
 
-/** A part of [file]. The position [end] is the first position behind the part. */
+/** The part of [file] from [begin] up to [end], the first position behind the part. */
 data class Place(val file: Path, val begin: Position, val end: Position) {
     override fun toString(): String = "$file:$begin"
 }

@@ -18,14 +18,14 @@ class AgentProgram(val path: Path, text: String) {
 
     val mentions: Mentions by lazy { MentionReader().read(program.components) }
 
-    /** The words in parts that the reader skipped after an error. A skipped word may mean anything. */
+    /** The words in parts that the reader skipped after an error. The role of a skipped word is unknown. */
     val unread: Set<String> by lazy {
         val spans = program.components.filterIsInstance<Unread>().map { it.span }
         val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }
         tokens.map { it.text }.toSet()
     }
 
-    /** The files that this program includes, as written. */
+    /** The files that this program includes, as the program writes them. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
     internal val filtersCalled: List<String> by lazy {
@@ -38,23 +38,23 @@ class AgentProgram(val path: Path, text: String) {
         }
     }
 
-    /** True if a directive with an inner program, such as a pattern of Jason, may make plans of its own. */
+    /** True if the program has a directive with an inner program, such as a pattern of Jason, which may add plans. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
 
-    /** The offsets of the goals of plans annotated `test`. Jason finds these plans by their labels, so their goals have any name. */
+    /** The offsets of the goals of plans annotated `test`. Jason finds these plans by their labels, so their goals may have any name. */
     val goalsOfTests: Set<Int> by lazy {
         program.nodes().filterIsInstance<Plan>()
             .filter { plan -> plan.label?.annotations?.items.orEmpty().any { (it as? Literal)?.functor == "test" } }
             .mapNotNull { (it.trigger.term as? Literal)?.name?.span?.start }.toSet()
     }
 
-    /** The goals and beliefs in comments such as `argo: others may send goal/2, belief/1`, each as functor/number of arguments. */
+    /** The goals and beliefs that comments such as `argo: others may send goal/2, belief/1` list, each with its number of arguments. */
     val sentByOthers: Set<String> by lazy {
         val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
     }
 
-    /** Returns whether findings in [line] are ignored. A comment in [line], or in a line of its own above, asks for this. */
+    /** Returns true if findings in [line] are ignored, by a comment in [line] or by one that fills the line above. */
     fun isIgnored(line: Int): Boolean = line in ignoredLines
 
     private val ignoredLines: Set<Int> by lazy {

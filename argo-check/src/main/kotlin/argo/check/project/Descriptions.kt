@@ -5,10 +5,10 @@ import argo.check.syntax.Span
 import javino.PerceptKind
 import kotlin.io.path.name
 
-/** A word to which [file] gives a meaning, at [span]. If it [isObserved], a board was seen to use the word, and may use other words. */
+/** A word at [span] of [file] and its [meaning]. If [isObserved], a board has sent the word, and may also send others. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
-/** A part [span] of [file] that describes no percept, for a [reason]. */
+/** The part [span] of [file], which does not describe a percept, and the [reason]. */
 class Unreadable(val file: ProjectFile, val span: Span, val reason: String) {
     override fun toString(): String = "${file.path.name}: $reason"
 }
@@ -43,7 +43,7 @@ internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).
 
 private const val OBSERVED = "observed"
 
-/** The kinds of percepts and the actions that a sketch or a Python program gives to the Javino library. */
+/** The kinds of percepts and the actions that a sketch or a Python program describes to the Javino library. */
 internal class BoardProgram(private val file: ProjectFile) {
     val descriptions = Descriptions(file).apply {
         DESCRIBED.findAll(file.text).forEach { add(spanOf(it.groups[1]!!.range)) }
@@ -69,7 +69,7 @@ internal class BoardProgram(private val file: ProjectFile) {
         val STRING = Regex("\"([^\"\n]*)\"")
         val DESCRIBED = Regex("\\bdescribe\\s*\\($IN_FLASH\"([^\"\n]*)\"")
 
-        /** The Python library takes descriptions as arguments behind the perceiving function. */
+        /** In Python, descriptions are the arguments behind the perceiving function. */
         val PERCEIVED = Regex("\\bperceive\\s*\\((?:[^()\"]++|\"[^\"\n]*+\")*+")
         val ACT = Regex("\\.act\\s*\\[$NAME\\s*]\\s*=")
         val ON_ACTION = Regex("\\b(?:onAction|on_action)\\s*\\($NAME(?:$FUNCTION$NUMBER\\s*\\))?")

@@ -19,7 +19,7 @@ import kotlin.io.path.name
 /**
  * A file with a filter, in XML or JSON.
  *
- * @property filter null if the file is refused
+ * @property filter the filter; null: the file is refused
  * @property problems the reasons for the refusal
  */
 class FilterFile private constructor(val path: Path, val text: String, val filter: PerceptionFilter?, val problems: List<Problem>) {
@@ -28,7 +28,7 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
 
     private val lines by lazy { Lines(text) }
 
-    /** Returns the word or the tag at [column] of [line], both counted from 1. */
+    /** Returns the place of the word or the tag at [column] of [line], both counted from 1. */
     fun place(line: Int, column: Int = 1): Place {
         val begin = lines.offset(Position(line, column))
         val end = (begin + 1..text.length).find { it == text.length || text[it] in ENDS } ?: begin
@@ -52,7 +52,7 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
         }
 
         /**
-         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter. [called] are the names of filters that
+         * Returns true if the file at [path] with this [text], in XML or JSON, is probably a filter. [called]: the names of filters that
          * programs change to.
          */
         internal fun isMeant(path: Path, text: String, called: Set<String>): Boolean =
@@ -60,8 +60,8 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
                 if (path.extension == "xml") ROOT.matches(text) else hasRules(text)
 
         /**
-         * Returns true if the JSON document [text] has a list with a filter's rule, an object with a predicate. JSON documents of other
-         * kinds may have rules too.
+         * Returns true if the JSON document [text] has a list with a filter's rule: an object with a predicate. Documents that are no
+         * filters may also have lists of rules.
          */
         private fun hasRules(text: String): Boolean = try {
             JsonFactory().createParser(text).use { parser ->

@@ -17,9 +17,9 @@ class AgentOption(val name: Token, val value: Token?)
  *
  * @property source the program's path as written, with its ending
  * @property architectures the names behind `agentArchClass`
- * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
- *   options and intentions, or hold other beliefs.
- * @property computers the computers that the agent may run on, the string behind `at`; null: there is none
+ * @property hasOwnClass true if the entry names an agent class or a belief base class. Such a class may select events, options and
+ *   intentions differently, or hold other beliefs.
+ * @property computers the string behind `at`, which names the computers on which the agent may run; null: there is none
  */
 class MasAgent(
     val name: Token,
@@ -30,7 +30,7 @@ class MasAgent(
     val number: Int,
     val computers: Token? = null,
 ) {
-    /** The beliefs and goals that the agent's options give it at its start: `[beliefs="limit(20)", goals="drive"]`. */
+    /** The initial beliefs and goals in the agent's options: `[beliefs="limit(20)", goals="drive"]`. */
     val initial: List<Mention> by lazy {
         options.flatMap { option -> INITIAL[option.name.text]?.let { role -> literalsIn(option).map { Mention(role, it) } }.orEmpty() }
     }
@@ -52,16 +52,16 @@ class MasAgent(
     }
 }
 
-/** A project file of Jason, `.mas2j`, as far as it can be read. */
+/** The parts of a project file of Jason, `.mas2j`, that can be read. */
 class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val environment: Token? = after("environment").firstOrNull()
 
     private val infrastructure: Token? = after("infrastructure").firstOrNull()
 
-    /** True if its agents may meet agents of other programs, as on a platform or on other computers. */
+    /** True if the project's agents may meet agents of other projects, as on other computers. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
-    /** The fleet of several computers in this project; null: none. */
+    /** The fleet of computers on which this project runs; null: there is no fleet. */
     val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure"), lines) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
@@ -105,7 +105,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return list.indices.filter { list.getOrNull(it + 1)?.isSymbol("=") == true }.map { AgentOption(list[it], list.getOrNull(it + 2)) }
     }
 
-    /** The first token of the head, the sections or an agent's end that Jason refuses; null: Jason accepts these parts. */
+    /** The first token that Jason refuses in the head, the sections and the agents' ends; null: Jason accepts these parts. */
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
     private companion object {

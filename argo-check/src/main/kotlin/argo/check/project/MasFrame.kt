@@ -5,8 +5,8 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
 /**
- * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. Each instance reads a single file. [end] is
- * the token that marks the end of the file.
+ * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file, whose end is
+ * marked by the token [end].
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0
@@ -37,7 +37,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         take(";")
     }
 
-    /** Takes the program of an agent: a file's name. Jason reads a path before the name only if it begins with `./` or a root. */
+    /** Reads the program of an agent, a file name. Jason accepts a path before the name only if the path begins with `./` or a root. */
     private fun source() {
         var last = at
         while (tokens.getOrNull(last + 1)?.let { it.span.start == tokens[last].span.end && !isBehindSource(it) } == true) last++
@@ -48,7 +48,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     private fun isBehindSource(token: Token) = token.text in BEHIND_SOURCE || token.text in WORDS
 
-    /** Takes options, a number, a class or a host of an agent. */
+    /** Reads an agent's options, number, class or host. */
     private fun part() = when (current.text) {
         "[" -> skipBracket()
         "#" -> {
@@ -67,7 +67,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun isAtSection() = current.isSymbol("}") ||
         (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
 
-    /** Moves on behind the bracket that closes the one here. Arguments of a class may be classes with arguments. */
+    /** Moves on behind the bracket that closes the current one. Brackets can be nested, since arguments of a class may be classes. */
     private fun skipBracket() {
         var depth = 0
         skipTo {
@@ -93,7 +93,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         const val AGENTS = "agents"
         val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
 
-        /** The words before the name of a class or a host, behind an agent's source. */
+        /** The words that introduce a class or a host, behind an agent's source. */
         val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
         private val SOURCE = Regex("(?:(?:[A-Za-z]:|\\.)?[/\\\\](?:\\S*[/\\\\])?)?[a-z]\\w*(?:\\.[a-z]\\w*)?")
         private val BEHIND_SOURCE = setOf("[", "#", ";")

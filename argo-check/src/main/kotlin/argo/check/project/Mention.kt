@@ -8,16 +8,16 @@ enum class Role {
     /** A goal that the program posts: `!g`, `!!g`, an initial goal, or `{ +!g }` in `.at`. */
     POSTED,
 
-    /** A goal that another agent is asked to achieve. */
+    /** A goal in a message that asks another agent to achieve it. */
     SENT_GOAL,
 
-    /** A goal that an internal action names, as in `.desire(g)`. */
+    /** A goal that is an argument of an internal action, as in `.desire(g)`. */
     NAMED_GOAL,
 
-    /** The goal of a plan. */
+    /** The goal that a plan handles, `+!g`. */
     HANDLED,
 
-    /** The goal of a plan for a failure, `-!g`. */
+    /** The goal whose failure a plan handles, `-!g`. */
     FAILURE_HANDLED,
 
     /** The test goal of a plan `+?b`. */
@@ -26,7 +26,7 @@ enum class Role {
     /** A belief that the program has or adds, or the head of a rule. */
     BELIEVED,
 
-    /** A belief that another agent is told. */
+    /** A belief in a message that tells it to another agent. */
     TOLD,
 
     /** A formula in a context, a rule, a test or a condition. */
@@ -38,7 +38,7 @@ enum class Role {
     /** A belief that a plan deletes. */
     DELETED,
 
-    /** A belief that another agent is asked for. */
+    /** A belief in a message that asks another agent for it. */
     ASKED,
 
     /** An action of the environment. */
@@ -47,7 +47,7 @@ enum class Role {
     /** An internal action. */
     INTERNAL,
 
-    /** An argument, which may become a literal of any other role. */
+    /** An argument. The program may later use it as a literal in any other role. */
     DATA,
 }
 

@@ -4,11 +4,11 @@ import javino.PerceptKind
 import java.nio.file.Path
 
 /**
- * A multi-agent system as its files describe it, and its robot as far as it is known.
+ * A multi-agent system as its files describe it, and the known percepts and actions of its robot.
  *
  * @property programs the programs, by their absolute paths
- * @property foreignNames words in files in other languages; they may name beliefs, goals and actions
- * @property operations the [foreignNames] that look like actions or beliefs: strings, and operations of artifacts
+ * @property foreignNames words in files of other languages, which may be names of beliefs, goals and actions
+ * @property operations those of [foreignNames] that look like actions or beliefs: strings, and operations of artifacts
  * @property javaActions the internal actions whose classes are in the project, such as `my.act`
  * @property leftOut files that were not read, each with the reason
  * @property projectFiles the project files of Jason, JaCaMo and Gradle
@@ -34,7 +34,7 @@ data class Project(
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
-    /** Returns this project with another text of the file [path], in XML or JSON, which may be a filter's. */
+    /** Returns this project with [text] in place of the text of the file [path], in XML or JSON. The file need not be a filter. */
     fun withFilter(path: Path, text: String): Project {
         val others = filters.filter { it.path != path }
         return when {
@@ -44,7 +44,7 @@ data class Project(
         }
     }
 
-    /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter by its folder, its rules or a program's call. */
+    /** Returns true if the file at [path] with this [text] is a filter, to judge by its folder, its rules or a program's call. */
     private fun isFilter(path: Path, text: String): Boolean =
         FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())
 
@@ -60,7 +60,7 @@ data class Project(
             ?: programs.keys.singleOrNull { it.fileName.toString() == agent.source.substringAfterLast('/') }
     }
 
-    /** Returns [path] and the programs that an agent may have together with [path]. */
+    /** Returns the program [path] and all programs that one agent may run together with it. */
     fun partsOf(path: Path): Parts {
         val roots = programs.keys.filter { path in closure(it) }
         val all = roots.flatMap { closure(it) }.toSet() + path

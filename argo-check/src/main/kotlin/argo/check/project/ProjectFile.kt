@@ -12,7 +12,7 @@ import java.nio.file.Path
 open class ProjectFile(val path: Path, val text: String) {
     val lines: Lines = Lines(text)
 
-    /** The tokens by the rules of AgentSpeak, without comments. */
+    /** The file's tokens as in AgentSpeak, without comments. */
     val tokens: List<Token> by lazy { Lexer(text) {}.tokens().filter { it.kind != TokenKind.COMMENT } }
 
     fun place(span: Span): Place = Place(path, lines.position(span.start), lines.position(span.end))

@@ -15,10 +15,10 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
 /**
- * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with everything below it. All programs
- * outside of such project folders are one more project.
+ * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, and everything below it are one project. All
+ * programs outside of such folders are one more project.
  *
- * @param maxFiles the most files of a folder that are read
+ * @param maxFiles the largest number of files in a folder that are read
  */
 class ProjectReader(private val maxFiles: Int = 20_000) {
     private val leftOut = LinkedHashMap<Path, String>()
@@ -39,7 +39,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
     private fun ownerOf(file: Path, projects: List<Project>): Project =
         projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
-    /** Returns the project of [file]: the nearest folder above with a project file. Without a project file, it is the file's own folder. */
+    /** Returns the project of [file]: the nearest folder above it with a project file, or else the folder of [file]. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
         val all = projectsIn(rootOf(file) ?: folder)
@@ -64,7 +64,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
                 return if (found.size <= maxFiles) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
-            /** A link to a folder above is skipped without a finding, since the files of that folder are read there. */
+            /** A link to a folder above is skipped without a finding, since the walk reads that folder anyway. */
             override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult {
                 if (refused !is FileSystemLoopException && !isOutput(file)) leaveOut(file, "it cannot be read: $refused")
                 return FileVisitResult.CONTINUE
@@ -77,11 +77,11 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
             .map { (original, same) -> if (original in same) original else same.first() }
     }
 
-    /** Returns the path of [file] without links, since a linked folder has the same files as its original. */
+    /** Returns the path of [file] without links, so that a file that is linked is read once. */
     private fun originalOf(file: Path): Path = try {
         file.toRealPath()
     } catch (_: IOException) {
-        file // the file has gone, which is reported when it is read
+        file // the file is gone; reading it will report this
     }
 
     private fun read(root: Path, files: List<Path>): Project {
@@ -105,7 +105,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         )
     }
 
-    /** Returns a program that a project file names outside of the project's folder. */
+    /** Returns the program of [agent] if it is outside of the project's folder; null: it is inside, or there is no such file. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
@@ -157,7 +157,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         private const val STDLIB = "stdlib"
         private const val NO_FILE = "it is no regular file"
 
-        /** Emacs locks a file by a link to nowhere whose name begins like this. */
+        /** Emacs locks a file by a link that leads nowhere. The link's name begins like this. */
         private const val EDITORS_LOCK = ".#"
         private const val MAX_BYTES = 2_000_000L
         private const val MAX_HEIGHT = 5
@@ -168,7 +168,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         private val DOCUMENTS = setOf("xml", "json")
         private val READ = PROJECT_FILES + FOREIGN + DOCUMENTS + setOf("asl", "gradle", "kts", RECORDING)
 
-        /** Begins a file of Moise, which names goals of agents. */
+        /** The beginning of a file of Moise, which names goals of agents. */
         private const val ORGANISATION = "<organisational-specification"
         private val OUTPUTS = setOf("build", "target", "bin", "node_modules")
         private val WORD = Regex("[a-z]\\w*")

@@ -6,12 +6,12 @@ import javino.PerceptKind
 import javino.PerceptTerm
 
 /**
- * The known percepts and actions of a robot; a list is empty if nothing is known.
+ * The known percepts and actions of a robot. Lists are empty if nothing is known.
  *
- * @property described the kinds of percepts that files describe, with their places
- * @property registered the actions that programs of boards register, with their places
+ * @property described the kinds of percepts that files describe, with the places of the descriptions
+ * @property registered the actions that programs of boards register, with the places in these programs
  * @property unreadable the descriptions of percepts that cannot be read
- * @property isComplete false if the robot may have other percepts
+ * @property isComplete false if the robot may have other percepts too
  */
 class Robot(
     val described: List<Described<PerceptKind>> = emptyList(),
@@ -24,7 +24,7 @@ class Robot(
     /** The kinds of percepts of the robot's boards, including those from mappings and recordings. */
     val percepts: List<PerceptKind> = (described.map { it.meaning } + otherPercepts).distinct()
 
-    /** The kinds that were observed, and are described nowhere: other values may come. */
+    /** The kinds that were only observed, and that no file describes: other values may come. */
     val observed: Set<PerceptKind> =
         described.filter { it.isObserved }.map { it.meaning }.toSet() - described.filterNot { it.isObserved }.map { it.meaning }.toSet()
 
@@ -42,7 +42,7 @@ data class BoardAction(val name: String, val arity: Int?) {
     }
 }
 
-/** Returns the functors and numbers of arguments of the percepts in a board's recording. The values of the percepts are left open. */
+/** Returns the functors and numbers of arguments of the percepts in a board's recording. The kinds allow any values. */
 internal fun recordedKinds(recording: String): List<PerceptKind> {
     val lines = recording.lines().drop(1).map { it.split('\t') }
     val messages = lines.filter { it.size == RECORDED_PARTS && it[1] == "in" }.map { it[2] }.distinct()

@@ -3,7 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Actions of the environment with a slip in the name: another action of the environment or of the project has nearly this name. */
+/** Finds misspelt actions of the environment: another action of the environment or of the project has nearly the same name. */
 internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val often = scene.facts.often(Role.ACTION)
@@ -34,7 +34,7 @@ internal object ActionRules : Rule {
         }
     }
 
-    /** Operations of CArtAgO's tuple spaces. They are so short that many a name is nearly one of them by chance. */
+    /** Operations of CArtAgO's tuple spaces. They are so short that other names are nearly equal by chance. */
     private val OF_TUPLE_SPACES = setOf("in", "inp", "out", "rd", "rdp")
 
     /** Operations of each workspace of CArtAgO and each organisation of Moise. */
@@ -48,7 +48,7 @@ internal object ActionRules : Rule {
 
     private val KNOWN = OF_ARTIFACTS + OF_TUPLE_SPACES
 
-    /** Internal actions whose names environments give to their own actions too. */
+    /** Internal actions whose names are also used for actions of environments. */
     private val KEPT = setOf("print", "println", "send", "wait", "date", "time", "random", "count", "suspend", "resume", "perceive", "at",
         "list", "string")
 }

@@ -5,7 +5,7 @@ internal object ArgoActions {
     /** The names of the actions, without a package or a dot. */
     val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record", "reload")
 
-    /** The names that programs may write with only a dot in front. */
+    /** The names that programs may write without the package, with only a dot in front. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
@@ -30,8 +30,8 @@ internal object ArgoActions {
     ) + FLEET_ERRORS
 
     /**
-     * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such
-     * action. An action of that name need not [exist][exists].
+     * Returns the name of the ARGO action that a call such as `.argo.port` means, regardless of case; null: it means no ARGO action. Jason
+     * may not find an action under the name [called]: see [exists].
      */
     fun actionIn(called: String): String? {
         val name = called.removePrefix(".")

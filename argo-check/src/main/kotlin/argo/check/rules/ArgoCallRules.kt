@@ -13,7 +13,7 @@ import javino.Frame
 import javino.PerceptsRequest
 import kotlin.math.roundToLong
 
-/** Calls of ARGO's internal actions: arguments and options, and the forms of other versions of ARGO. */
+/** Checks calls of ARGO's internal actions: their arguments, their options, and forms of other versions of ARGO. */
 internal object ArgoCallRules : Rule {
     val CHECKED = setOf("port", "limit", "percepts", "act", "filter", "change_filter")
 
@@ -120,7 +120,7 @@ internal object ArgoCallRules : Rule {
     private fun portsIn(calls: List<Call>): List<Term> =
         calls.filter { it.action == "port" }.mapNotNull { it.arguments.firstOrNull() }.filter { it !is Variable }
 
-    /** Only programs for other versions of ARGO write the dot of `.limit`, and such programs may mean nanoseconds. */
+    /** Reports a slow `.limit`: only programs for other versions of ARGO write the dot, and they may mean nanoseconds. */
     private fun slowLimit(calls: List<Call>, report: Report) {
         val slow = calls.firstOrNull { call ->
             call.action == "limit" && call.name.startsWith(".") &&
@@ -156,7 +156,7 @@ internal object ArgoCallRules : Rule {
         )
     }
 
-    /** Reports a command that no line carries. */
+    /** Reports a command that cannot be sent to a board. */
     private fun unsendable(command: Term, report: Report) {
         val text = RobotRules.textOf(command) ?: return
         val why = if (PerceptsRequest.isIn(text)) "a board takes $text for the request for percepts" else try {
@@ -216,7 +216,7 @@ internal object ArgoCallRules : Rule {
         )
     }
 
-    /** Warns of a name that is nearly an action's error. A name unlike all errors may come from the project's own `.fail`. */
+    /** Warns of a name that is nearly the error of an action. Other unknown names may come from the project's own `.fail`. */
     private fun error(annotation: Literal, report: Report) {
         val written = (annotation.arguments.single() as? Literal)?.takeIf { it.arity == 0 }?.functor ?: return
         if (written in ArgoActions.ERRORS || written in ArgoActions.JASON_ERRORS) return
@@ -244,7 +244,7 @@ internal object ArgoCallRules : Rule {
     private val BODY_SOURCES = setOf("interoception", "proprioception", "exteroception")
     private val PORT_LIKE = Regex("COM\\d+|[Tt][Tt][Yy]\\w+")
 
-    /** Whoever writes an interval of at least this number means nanoseconds. */
+    /** An interval of at least this number is meant in nanoseconds. */
     private const val MIN_NANOSECONDS = 1_000_000.0
     private const val MIN_SLOW_MS = 200.0
     private const val MS_A_MINUTE = 60_000.0

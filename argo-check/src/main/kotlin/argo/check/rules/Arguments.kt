@@ -17,7 +17,7 @@ import argo.check.syntax.Variable
 /**
  * An argument of a literal.
  *
- * @property sign the argument in one word; null: it has none
+ * @property sign one word by which equal arguments are recognised, such as a variable's name; null: there is none
  * @property kind the argument's kind, such as `number`; null: not known
  */
 internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
@@ -34,16 +34,16 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
         else -> kind
     }
 
-    /** True if the sign is a name of so few letters that it tells little. */
+    /** True if the sign is the name of a variable, and so short that equal names mean little. */
     val isShort: Boolean = (isVariable || term is Operation && calculated(term) != null) && sign.orEmpty().length < LONG
 
-    /** Returns the only variable that [term] calculates with, as `X` in `X - 1`; null: there is none, or there are several. */
+    /** Returns the variable with which [term] calculates, as `X` in `X - 1`; null: there is none, or there are several. */
     private fun calculated(term: Operation): String? =
         if (term.isArithmetic) term.operands.filterIsInstance<Variable>().singleOrNull()?.name?.text else null
 
     val isString: Boolean = term is StringTerm
 
-    /** The letters of a numbered atom, such as `post` of `post5`; null: the term is no such atom. */
+    /** The letters of a numbered atom, such as `post` of `post5`; null: the term is no numbered atom. */
     val stem: String? = (term as? Literal)?.takeIf { it.arity == 0 }?.let { NUMBERED.matchEntire(it.functor) }?.groupValues?.get(1)
 
     private fun kindOf(term: Term): String? = when (term) {
@@ -61,19 +61,19 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     }
 }
 
-/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief that contains it. */
+/** A literal whose arguments are the project's choice, not fixed by Jason or ARGO, with the plan, rule or belief that contains it. */
 internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
     val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
 
-    /** The neighbouring arguments that are variables with different names. */
+    /** The pairs of neighbouring arguments that are variables with different names. */
     val neighbours: List<Pair<String, String>> get() = arguments.zipWithNext().filter { (a, b) -> a.isVariable && b.isVariable }
         .mapNotNull { (a, b) -> a.sign?.let { first -> b.sign?.let { first to it } } }.filter { (first, second) -> first != second }
 
-    /** Returns the place of the argument [index] and the one behind it. */
+    /** Returns the span of the argument at [index] and of the one behind it. */
     fun placeOf(index: Int): Span = arguments[index].term.span + arguments[index + 1].term.span
 }
 
-/** How often the arguments at one place of a literal have each sign and each kind, and are numbered alike. */
+/** Counts the signs, kinds and stems of all arguments at one index of a literal. */
 internal class Column {
     private val signs = HashMap<String, Int>()
     private val kinds = HashMap<String, Int>()
@@ -94,7 +94,7 @@ internal class Column {
     /** Returns how many arguments of this column other than [own] have [sign]. */
     fun signsLike(sign: String, own: Argument): Int = signs.getOrDefault(sign, 0) - if (own.sign == sign) 1 else 0
 
-    /** Returns how many arguments are atoms numbered like [stem]. */
+    /** Returns how many arguments are numbered atoms with the letters [stem]. */
     fun stemsLike(stem: String): Int = stems.getOrDefault(stem, 0)
 
     /** True if all arguments but one are variables. */
@@ -120,7 +120,7 @@ internal class Arguments(programs: Collection<AgentProgram>) {
         }
     }
 
-    /** Returns the open literals of [program], plan by plan. */
+    /** Returns the open literals of [program], in one list for each plan, rule and belief. */
     fun of(program: AgentProgram): List<List<OpenLiteral>> = literals[program] ?: literalsIn(program)
 
     fun columnsOf(literal: OpenLiteral): List<Column> =

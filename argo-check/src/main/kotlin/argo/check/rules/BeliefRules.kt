@@ -3,7 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Beliefs that are read but never believed, or believed but never read. A slip in the name or in the arguments may be the cause. */
+/** Finds beliefs that are read but never added, or added but never read. A slip in the name or in the arguments may be the cause. */
 internal object BeliefRules : Rule {
     private val READS = arrayOf(Role.READ, Role.EVENT, Role.DELETED, Role.ASKED)
     private val SOURCES = arrayOf(Role.BELIEVED, Role.TOLD)

@@ -5,7 +5,7 @@ import argo.check.syntax.Component
 import argo.check.syntax.Directive
 import argo.check.syntax.Plan
 
-/** Returns the plans, beliefs and rules in [component]. Each of these has variables of its own. */
+/** Returns the plans, beliefs and rules in [component]. Each has its own variables. */
 internal fun clauses(component: Component): List<Component> = when (component) {
     is Directive -> component.components.orEmpty().flatMap(::clauses)
     is Plan, is Belief -> listOf(component)

@@ -5,12 +5,12 @@ import argo.check.project.Project
 import argo.check.project.Role
 import argo.check.syntax.Token
 
-/** The facts that all programs of [project] give together, shared by the checks of all of them. One thread at a time uses it. */
+/** Facts about all programs of [project] together, shared by the checks of all programs. Not safe for use by several threads at once. */
 internal class Facts(val project: Project) {
     private val byRole: Map<Role, List<Mention>> = project.programs.values.flatMap { it.mentions.all }.groupBy { it.role }
     private val counts = HashMap<Set<Role>, Map<String, Int>>()
 
-    /** The names of all arguments, which may become beliefs and goals. */
+    /** The names of all arguments: programs may make beliefs and goals of arguments. */
     val data: Set<String> = mentions(Role.DATA).map { it.functor }.toSet()
 
     /** The goals and beliefs that others may send, according to comments. */
@@ -19,7 +19,7 @@ internal class Facts(val project: Project) {
     /** The names of goals that the project posts more than once. */
     val postedOften: Set<String> by lazy { often(Role.POSTED).filterValues { it > 1 }.keys }
 
-    /** True if agents of the project get plans from other agents, from strings or from files that are chosen as it runs. */
+    /** True if agents of the project get plans from other agents, from strings, or from files that they choose at run time. */
     val hasMadePlans: Boolean = mentions(Role.INTERNAL).any { it.functor in PLAN_MAKERS || it.isTellHow() }
 
     val isOfJaCaMo: Boolean = project.projectFiles.any { "${it.path}".endsWith(".jcm") }
@@ -31,7 +31,7 @@ internal class Facts(val project: Project) {
         if (mayBeMore) null else project.masFiles.flatMap { mas -> mas.agents.flatMap { it.names } }.toSet()
     }
 
-    /** True if the project has all agents that run, and the source of their environment. */
+    /** True if all agents that run are in the project, and the source of their environment too. */
     val isWhole: Boolean by lazy {
         agentNames != null && project.leftOut.isEmpty() && project.masFiles.all { mas -> mas.environment?.let(::isInProject) ?: true }
     }
@@ -47,10 +47,10 @@ internal class Facts(val project: Project) {
     /** Returns the mentions in [roles] by all agents of the project. */
     fun mentions(vararg roles: Role): List<Mention> = roles.flatMap { byRole[it].orEmpty() }
 
-    /** Returns true if a variable is mentioned in [role], so that not all names in this role are known. */
+    /** Returns true if a program has a variable in [role]: not all names in this role are known. */
     fun isOpen(role: Role): Boolean = project.programs.values.any { role in it.mentions.open }
 
-    /** Returns the number of mentions of each name in [roles]. */
+    /** Returns how often each name is mentioned in [roles]. */
     fun often(vararg roles: Role): Map<String, Int> =
         counts.getOrPut(roles.toSet()) { mentions(*roles).groupingBy { it.functor }.eachCount() }
 

@@ -14,7 +14,7 @@ import argo.filters.matching.matcher
 import argo.filters.matching.warnings
 import argo.filters.Rule as FilterRule
 
-/** Filter files, their reflexes, and the filters that agents change to. */
+/** Checks filter files, their reflexes, and the filters to which agents change. */
 internal object FilterRules : Rule {
     fun check(project: Project): List<Finding> {
         val isForOtherVersion = project.programs.isEmpty() || project.programs.values.any { program ->
@@ -87,7 +87,7 @@ internal object FilterRules : Rule {
 
     private fun FilterFile.isCalled(written: String) = written.substringAfterLast('/').let { it == name || it == "${path.fileName}" }
 
-    /** Reports literals that a plan waits for or reads although each of the agent's [filters] drops them. */
+    /** Reports literals that a plan waits for or reads, although all [filters] of the agent drop them. */
     private fun dropped(scene: Scene, filters: List<PerceptionFilter>, report: Report) {
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + Scene.OF_ARGO + setOf("true", "false")
         for (mention in scene.program.mentions[Role.EVENT] + scene.program.mentions[Role.READ]) {

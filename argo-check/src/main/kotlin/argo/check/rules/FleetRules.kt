@@ -51,7 +51,7 @@ internal object FleetRules {
         }
     }
 
-    /** Warns that [agent], whose program uses boards, outlives its computer. */
+    /** Warns if [agent], whose program uses boards, moves to another computer when its own fails. */
     fun board(file: MasFile, agent: MasAgent, report: Report) {
         val at = agent.computers?.takeIf { file.fleet != null && computersOf(agent).size > 1 } ?: return
         report.warning(RULE, at.span, "agent ${agent.name} uses boards, and runs on another computer when its own goes",

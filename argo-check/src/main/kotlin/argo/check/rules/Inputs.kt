@@ -14,11 +14,11 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /**
- * Finds the arguments that need a value. If an argument needs a value, all plans for the goal, or all rules for the literal, compare it,
- * calculate with it, or have a list in its place.
+ * Finds arguments that need a value. All plans for the goal, or all rules for the literal, compare such an argument, calculate with it, or
+ * require a list there.
  *
  * @param clauses the plans, beliefs and rules of a project
- * @param believed the number of mentions that make a literal a belief, by the literal's indicator; the heads of rules count too
+ * @param believed how often each literal is added as a belief, told, or the head of a rule, by the literal's indicator
  */
 internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
     private val ofGoals = common(
@@ -32,7 +32,7 @@ internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
         it.size == believed[it.first().first.indicator] && it.any { (_, condition) -> condition != null }
     }
 
-    /** Returns the indices from 0 of the arguments of [use] that need a value. */
+    /** Returns the indices, counted from 0, of the arguments of [use] that need a value. */
     fun of(use: Mention): Set<Int> = when (use.role) {
         Role.POSTED -> ofGoals[use.literal.indicator]
         Role.READ -> ofRules[use.literal.indicator]
@@ -47,14 +47,14 @@ internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
         indicesOf(head) { it is Variable && it.name.text in compared }
     }.reduce(Set<Int>::intersect)
 
-    /** Returns the argument that is a list. If several arguments are lists, none needs a value, since one list may be made from another. */
+    /** Returns the argument that is always a list; none if several are, since a plan may make one list from another. */
     private fun listOf(same: List<Pair<Literal, Term?>>): Set<Int> =
         same.map { (head, _) -> indicesOf(head) { it is ListTerm } }.reduce(Set<Int>::intersect).takeIf { it.size == 1 }.orEmpty()
 
     private fun indicesOf(head: Literal, isWanted: (Term) -> Boolean): Set<Int> =
         head.arguments.indices.filter { isWanted(head.arguments[it]) }.toSet()
 
-    /** Returns the variables that [condition] compares or calculates with, before anything in it gives them a value. */
+    /** Returns the variables that [condition] compares or calculates with before one of its parts gives them a value. */
     private fun comparedIn(condition: Term): Set<String> {
         val bound = HashSet<String>()
         val compared = HashSet<String>()

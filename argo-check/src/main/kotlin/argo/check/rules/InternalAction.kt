@@ -10,7 +10,7 @@ val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
  *
  * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
  * term in braces, `p` a performative, `v` a variable, `a` an atom, `b` begin or end, `d` no formula, `_` anything
- * @property inputs the indices from 0 of the arguments that must have a value
+ * @property inputs the indices, counted from 0, of the arguments that must have a value
  */
 internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val inputs: Set<Int>, val since: String?) {
     /** The numbers of arguments in words, such as `3 to 5 arguments`. */
@@ -27,11 +27,11 @@ internal class InternalAction(val name: String, val arities: IntRange, val kinds
             text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map(::parse).associateBy { it.name }
         }
 
-        /** Operations of CArtAgO, the environment of JaCaMo, which names artifacts and Java classes both by strings. */
+        /** Operations of CArtAgO, the environment of JaCaMo, in which strings name artifacts and Java classes. */
         private val OPERATIONS: Map<String, InternalAction> =
             listOf("makeArtifact 2 4 S s", "lookupArtifact 2 2 S v").map(::parse).associateBy { it.name }
 
-        /** Returns the action that [call] calls, an internal one or an operation of CArtAgO; null: another action, or no call at all. */
+        /** Returns the internal action or CArtAgO operation that [call] calls; null: [call] is something else. */
         fun of(call: Literal): InternalAction? =
             if (call.isInternal) ALL[call.functor] else OPERATIONS[call.functor]?.takeIf { call.arity in it.arities }
 

@@ -1,8 +1,8 @@
 package argo.check.rules
 
-/** Finds the name of [names] that a person may have meant. Make one instance for many questions: an index makes each question fast. */
+/** Finds the one of [names] that a person may have meant. Make one instance for many questions, since it builds an index. */
 internal class Names(names: Collection<String>) {
-    /** The names by each of their parts. After a slip at least one part is unchanged, at most one letter away from its place. */
+    /** The names by each of their parts. A slip leaves at least one part unchanged, and moves it by at most one letter. */
     private val byPart: Map<Part, List<Name>> by lazy {
         names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
             .flatMap { name -> partsOf(name.text.length).map { Part(name.text.length, it.first, name.text.substring(it)) to name } }
@@ -10,9 +10,9 @@ internal class Names(names: Collection<String>) {
     }
 
     /**
-     * Returns the name that [written] probably means with a slip: one letter is missing, added or different, or two neighbours are swapped.
-     * A long name may have two slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`. Slips in a first letter are rare, and words that
-     * differ there are often two, such as `winner` and `inner`. So there only a swap with the second letter is a slip.
+     * Returns the name that [written] probably means, written with a slip: one letter is missing, added or different, or two neighbouring
+     * letters are swapped. A long name may have two slips. `pos1` and `pos2`, or `OldX` and `OldY`, are different names. So are names with
+     * different first letters, such as `winner` and `inner`, unless the first two letters are swapped.
      */
     fun near(written: String): String? {
         val name = Name(written)
@@ -21,7 +21,7 @@ internal class Names(names: Collection<String>) {
             .map { it.text }.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
     }
 
-    /** Returns the names of [length] letters that have a part of [written]. */
+    /** Returns the names of [length] letters that have a part in common with [written]. */
     private fun candidates(written: String, length: Int): List<Name> = partsOf(length).flatMap { part ->
         (part.first - 1..part.first + 1).flatMap { from ->
             val end = from + part.last + 1 - part.first
@@ -29,7 +29,7 @@ internal class Names(names: Collection<String>) {
         }
     }
 
-    /** Divides a name into so many parts that slips leave one part unchanged; each slip may change two parts. */
+    /** Divides a name into parts, so many that slips leave one part unchanged. A slip may change two parts. */
     private fun partsOf(length: Int): List<IntRange> {
         val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
         return (0 until number).map { it * length / number until (it + 1) * length / number }
@@ -58,13 +58,13 @@ private fun isNear(a: String, b: String): Boolean {
     return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
-/** Returns true if the first letters are equal, or swapped with the second ones. A dot in front, as of an internal action, is no letter. */
+/** Returns true if the first letters are equal, or the first two are swapped. The dot in front of an internal action is no letter. */
 private fun beginAlike(a: String, b: String): Boolean {
     val (one, other) = a.trimStart('.') to b.trimStart('.')
     return one.firstOrNull() == other.firstOrNull() || one.take(2) == other.take(2).reversed()
 }
 
-/** Returns true if the names differ only in a part of one letter, like `OldX` and `OldY`, so they name two things of one kind. */
+/** Returns true if the names differ only in a word of one letter, like `OldX` and `OldY`: they name two things of one kind. */
 private fun areVariants(a: String, b: String): Boolean {
     val at = a.indices.filter { it < b.length && a[it] != b[it] }.singleOrNull() ?: return false
     return a.length == b.length && isPart(a, at) && isPart(b, at)
@@ -76,8 +76,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to turn [a] into [b]. A result above 2 is not
- * exact.
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to turn [a] into [b]. A result above 2 only
+ * means that it is more than 2.
  */
 fun editDistance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length
@@ -102,7 +102,7 @@ private fun distanceWithin(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Two letters that are each replaced by another letter. */
+/** Two replaced letters change at most this many members of a set of letters. */
 private const val MOST_OTHER_LETTERS = 4
 private const val MIN_LENGTH = 2
 private const val LONG = 10

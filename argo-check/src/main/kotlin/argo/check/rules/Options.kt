@@ -12,7 +12,7 @@ import argo.check.syntax.Variable
  * An option in a list, such as `baud(9600)` or `urgent`.
  *
  * @property expected the option's value, in words; null: the option has no value
- * @property accepts returns true if a text, which is no variable, is a valid value
+ * @property accepts returns true if a text is a valid value; not called for variables
  */
 internal class KnownOption(val expected: String?, val accepts: (String) -> Boolean) {
     companion object {
@@ -52,7 +52,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             },
         )
 
-        /** The option that a fleet reads. Agents without the architecture may have it too. */
+        /** The option that fleets read, even for agents without the architecture `argo.Arch`. */
         const val OF_FLEET = "argo_fleet"
 
         private fun isLiteral(value: String) = Regex("""\s*[a-z]\w*\s*(\(.+\)\s*)?""").matches(value)

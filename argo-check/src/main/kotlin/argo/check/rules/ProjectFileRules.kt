@@ -10,7 +10,7 @@ import argo.check.project.Role
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** Architectures, options and programs of agents in project files. */
+/** Checks the architectures, options and programs of agents in project files. */
 internal object ProjectFileRules {
     private const val ARCHITECTURE = MasAgent.ARCHITECTURE
     private val INFRASTRUCTURES = setOf("Local", "Jade", "Fleet")
@@ -39,7 +39,7 @@ internal object ProjectFileRules {
         val isNamed = tokens[at].text == "agentArchClass" || words(tokens, at - 3, "ag", "-", "arch", ":")
         val token = tokens.getOrNull(at + 1)?.takeIf { isNamed } ?: return
         val rest = tokens.getOrNull(at + 2)?.takeIf { it.span.start == token.span.end && it.text.startsWith('.') }?.text
-        val name = token.text + rest.orEmpty() // the lexer takes a name in upper case for a variable, and ends it at the dot
+        val name = token.text + rest.orEmpty() // to the lexer a name in upper case is a variable that ends at the dot
         val why = "the agent does not start"
         when {
             name == ARCHITECTURE -> {}
@@ -55,8 +55,8 @@ internal object ProjectFileRules {
     }
 
     /**
-     * Warns of the jar of another version. The jars of both versions have classes of the same names, and the first jar on the class path
-     * wins.
+     * Reports a jar of another version of ARGO. Both versions have classes of the same names, and Java uses those of the first jar on the
+     * class path.
      */
     private fun otherArgo(token: Token, report: Report) {
         if (token.kind != TokenKind.STRING && !token.text.startsWith('\'') || !OTHER_ARGO.containsMatchIn(token.text)) return
@@ -106,7 +106,7 @@ internal object ProjectFileRules {
         }
     }
 
-    /** JaCaMo writes an agent's options in a form of its own. */
+    /** Checks the options of agents in a file of JaCaMo, which have another form. */
     private fun options(tokens: List<Token>, report: Report) = tokens.indices
         .filter { tokens.getOrNull(it + 1)?.let { next -> next.isSymbol("=") || next.isSymbol(":") } == true }
         .forEach { option(AgentOption(tokens[it], tokens.getOrNull(it + 2)), report) }

@@ -17,7 +17,7 @@ import javino.PerceptArgument
 import javino.PerceptKind
 import javino.PerceptTerm
 
-/** Percepts and values that the robot does not have, and commands that its boards do not know. */
+/** Finds percepts and values that the robot does not have, and commands that its boards do not know. */
 internal object RobotRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.isNotEmpty() && scene.agents.none { it.isArgo }) return
@@ -38,7 +38,7 @@ internal object RobotRules : Rule {
         if (scene.project.robot.isComplete && !hasEnvironment && scene.agents.any { it.isArgo }) unknown(scene, kinds.keys, own, report)
     }
 
-    /** Reports a belief that no board, plan or message of the project produces. */
+    /** Reports beliefs that no board, plan or message of the project produces. */
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.functor }.toSet()
         val names = Names(kinds + own)
@@ -76,7 +76,7 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** Reports comparisons whose result a range fixes: with L in `0..100`, `light(_,L) & L > 100` is never true. */
+    /** Reports comparisons that are always or never true in a range: if L is in `0..100`, `light(_,L) & L > 100` is never true. */
     private fun comparisons(component: Node, ranges: Ranges, report: Report) {
         if (ranges.isEmpty()) return
         component.withDescendants().filterIsInstance<Operation>().filter { it.operators.size == 1 }.forEach { comparison ->
@@ -111,7 +111,7 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** Checks commands. A plan that asks `argo.can(Action)` is for boards with and without that action. */
+    /** Checks commands. A plan that calls `argo.can(Action)` may send that action, since it is also for boards without the action. */
     private fun commands(component: Node, scene: Scene, report: Report) {
         val calls = scene.program.mentions.within(component.span).filter { it.role == Role.INTERNAL }
         val asked = calls.filter { ArgoActions.actionIn(it.functor) == "can" }.mapNotNull { it.literal.arguments.firstOrNull() }
@@ -151,7 +151,7 @@ internal object RobotRules : Rule {
         it.functor() == action.name && (action.arity == null || action.arity == it.arguments().size)
     }
 
-    /** Returns the text that a board gets for [command]; null: it has variables or structures in it. */
+    /** Returns the text that a board gets for [command]; null if [command] contains variables or structures. */
     fun textOf(command: Term): String? = when {
         command is StringTerm -> if ('\\' in command.text) null else command.text
         command !is Literal || command.isInternal || command.annotations != null -> null
@@ -159,7 +159,7 @@ internal object RobotRules : Rule {
         else -> command.arguments.map { valueOf(it) ?: return null }.joinToString(",", "${command.functor}(", ")")
     }
 
-    /** Returns the text of a constant as percepts have it; null: [term] is no constant. */
+    /** Returns the text that the constant [term] has in percepts; null: [term] is no constant. */
     fun valueOf(term: Term): String? = when (term) {
         is NumberTerm -> term.text
         is Literal -> term.functor.takeIf { term.arity == 0 && !term.isInternal }
@@ -173,7 +173,7 @@ internal object RobotRules : Rule {
     private const val WHY = "it is never true, and causes no event"
 }
 
-/** @property level the level of the finding if a program waits for a value outside of the range */
+/** @property level the level of findings about values outside of the range */
 private data class KnownRange(val range: PerceptArgument.Quantity, val level: Level)
 
 /** The ranges of a plan's variables. */

@@ -6,12 +6,12 @@ import argo.check.findings.Place
 import argo.check.project.Mention
 import argo.check.syntax.Span
 
-/** Finds the errors of one kind in one program. A rule holds no state, so that it can run again for another text. */
+/** Finds the errors of one kind in one program. A rule has no state, so that it can check several texts. */
 internal fun interface Rule {
     fun check(scene: Scene, report: Report)
 }
 
-/** Collects the findings in one file. [place] turns a span into a place. */
+/** Collects the findings in one file. [place] returns the place of a span. */
 internal class Report(private val place: (Span) -> Place) {
     private val collected = ArrayList<Finding>()
 
@@ -23,7 +23,7 @@ internal class Report(private val place: (Span) -> Place) {
 
     fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
 
-    /** Warns of each of [mentions] whose functor is nearly one of [known] and is itself not known anywhere. */
+    /** Warns of [mentions] whose functor is unknown in the project, and nearly one of [known]. */
     fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
         val names = Names(known)
         for (mention in mentions) {

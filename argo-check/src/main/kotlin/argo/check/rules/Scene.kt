@@ -8,7 +8,7 @@ import argo.check.project.Project
 import argo.check.project.Role
 import argo.filters.matching.OWN_BELIEFS
 
-/** A program in its project: the names that exist for its agents, with their roles. */
+/** A program in its project, with all names that its agents may know, and the roles of these names. */
 internal class Scene(val facts: Facts, val program: AgentProgram) {
     val project: Project = facts.project
     private val path = program.path.toAbsolutePath().normalize()
@@ -21,7 +21,7 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     private val openRoles: Set<Role> = parts.programs.flatMap { it.mentions.open }.toSet()
     private val unread: Set<String> = parts.programs.flatMap { it.unread }.toSet()
 
-    /** Returns the mentions in [roles] by this agent, and those in messages of the project's agents. */
+    /** Returns the mentions in [roles]: those in this agent's programs, and those in messages of all agents of the project. */
     fun mentions(vararg roles: Role): List<Mention> = roles.flatMap { if (it in SENT) facts.mentions(it) else byRole[it].orEmpty() }
 
     /** The beliefs that JaCaMo adds; empty in other projects. */
@@ -32,23 +32,23 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
 
     fun isOpen(vararg roles: Role): Boolean = roles.any(openRoles::contains)
 
-    /** True if plans may come from missing files, messages or strings. */
+    /** True if the agent may get plans from missing files, messages, strings or directives. */
     val hasUnknownPlans: Boolean = parts.isOpen || facts.hasMadePlans || parts.programs.any { it.hasPatterns }
 
-    /** True if the project's texts contain everything that posts goals, adds beliefs or reads beliefs for this agent. */
+    /** True if everything that posts goals, adds beliefs or reads beliefs of this agent is in the project's texts. */
     val isClosed: Boolean by lazy {
         isAgent && !hasUnknownPlans && facts.isWhole && parts.programs.all { it.program.errors.isEmpty() } &&
             agents.none { agent -> agent.hasOwnClass || agent.architectures.any { it.text != MasAgent.ARCHITECTURE } }
     }
 
-    /** True if a name may have a meaning outside of the programs: data may become formulas, and other languages may add beliefs. */
+    /** Returns true if the name may be used outside of known roles: as data that becomes a formula, or in another language. */
     fun isKnownElsewhere(mention: Mention): Boolean =
         mention.functor in facts.data || mention.functor in OF_JACAMO || isNamedOutside(mention)
 
-    /** Returns true if the name is mentioned once in all texts of the project together. */
+    /** Returns true if the name is mentioned only once in the whole project. */
     fun isSingle(mention: Mention): Boolean = facts.times(mention.functor) == 1 && !isNamedOutside(mention)
 
-    /** Returns true if the name stands in unread text or in another language, others send it, or it has a meaning to Jason or ARGO. */
+    /** Returns true if the name is in unread text or in another language, if others send it, or if Jason or ARGO uses it. */
     private fun isNamedOutside(mention: Mention): Boolean = mention.functor in unread || mention.functor in project.foreignNames ||
         isSentByOthers(mention) || mention.functor in OF_JASON || mention.functor in OF_ARGO
 
@@ -59,12 +59,12 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
         /**
-         * The beliefs that ARGO itself adds: beliefs about boards, and the belief that the agent goes on from its last run. No filter drops
-         * them.
+         * The beliefs that ARGO itself adds: beliefs about boards, and the belief that the agent continues its last run. Filters do not
+         * drop these beliefs.
          */
         val OF_ARGO = OWN_BELIEFS.keys.map { it.substringBefore('/') }.toSet() + "resumed"
 
-        /** Events, goals and beliefs that Jason makes. */
+        /** Events, goals and beliefs that come from Jason itself. */
         private val OF_JASON =
             setOf("kqml_received", "provider", "jag_sleeping", "jag_awaking", "jag_shutting_down", "source", "true", "false")
 

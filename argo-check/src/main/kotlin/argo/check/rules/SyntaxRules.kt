@@ -17,7 +17,7 @@ internal object SyntaxRules : Rule {
         }
     }
 
-    /** The decoder puts this character in place of bytes that are not UTF-8. */
+    /** The decoder replaces bytes that are not UTF-8 by this character. */
     private const val REPLACEMENT = '\uFFFD'
     private const val MOST = 20
 }

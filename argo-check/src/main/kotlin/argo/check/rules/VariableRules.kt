@@ -8,7 +8,7 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Variables that a plan or a rule mentions once, and those that an internal action reads before they have a value. */
+/** Finds variables that a plan or a rule mentions only once, and variables that an internal action reads before they have a value. */
 internal object VariableRules : Rule {
     override fun check(scene: Scene, report: Report) {
         scene.program.program.components.flatMap(::clauses).filterNot { it is Belief && it.condition == null }.forEach { scope(it, report) }
@@ -36,7 +36,7 @@ internal object VariableRules : Rule {
         }
     }
 
-    /** Returns the variables that first occur as an argument that an internal action reads, with that action. */
+    /** Returns the variables that first occur as an argument that an internal action reads, each with this action. */
     private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
         val first = variables.distinctBy { it.name.text }.toSet()
         return scope.withDescendants().filterIsInstance<Literal>().flatMap { call ->
@@ -51,6 +51,6 @@ internal object VariableRules : Rule {
 
     private const val WHY = "it is bound for nothing, or unbound where it is used"
 
-    /** Shorter names are alike by chance. */
+    /** Shorter names are often nearly equal by chance. */
     private const val LONG = 4
 }

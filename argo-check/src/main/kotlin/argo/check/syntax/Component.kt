@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** A part of a program: it ends with a full stop, or is a directive. */
+/** A part of a program that ends with a full stop, or a directive. */
 sealed interface Component : Node
 
 /** @property components the components between `{ begin … }` and `{ end }`; null for other directives, such as `{ include("a.asl") }` */
@@ -13,7 +13,7 @@ class Belief(override val span: Span, val head: Term, val condition: Term?) : Co
     override val children: List<Node> get() = listOfNotNull(head, condition)
 }
 
-/** A goal that the agent begins with. */
+/** A goal that the agent has at its start. */
 class InitialGoal(override val span: Span, val goal: Term) : Component {
     override val children: List<Node> get() = listOf(goal)
 }
@@ -36,7 +36,7 @@ class Plan(
     override val children: List<Node> get() = listOfNotNull(label, trigger, context, goalCondition, body) + plans
 }
 
-/** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
+/** Text that the reader skipped after an error. Its meaning is not known. */
 class Unread(override val span: Span) : Component
 
 /** The name and the annotations of a plan, `@p1[atomic]`. A plan in braces may have a variable as its name. */
@@ -62,7 +62,7 @@ sealed interface Statement : Node
 
 /** The way in which a statement uses its term. */
 enum class BodyOperator(val symbol: String) {
-    /** An action, an internal action, a comparison, or a term that stands for a body. */
+    /** An action, an internal action, a comparison, or a term whose value is a body. */
     DO(""),
     ACHIEVE("!"), ACHIEVE_APART("!!"), TEST("?"), ADD("+"), ADD_APART("++"), ADD_FIRST("+<"), ADD_LAST("+>"), DELETE("-"), REPLACE("-+"),
     DELETE_APART("--"),
@@ -71,7 +71,7 @@ enum class BodyOperator(val symbol: String) {
     /** True if the operator adds a belief. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
-    /** True if the statement deletes a belief and adds no other in its place. */
+    /** True if the statement deletes a belief without replacing it by another. */
     val deletes: Boolean get() = this == DELETE || this == DELETE_APART
 }
 

@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** Walks over tokens. After an [error][fail] it acts as if the text had ended, until [restart], so that each reader returns its part. */
+/** Reads tokens one after the other. After an [error][fail] the text seems to end, until [restart], so that all readers return. */
 internal class Cursor(private val tokens: List<Token>, private val lines: Lines, private val report: (SyntaxError) -> Unit) {
     private val end = Token(TokenKind.UNKNOWN, "", lines.end)
     private var depth = 0
@@ -20,7 +20,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
     /** The offset at which the next token begins; after an error, the offset of the token with the error. */
     val start: Int get() = (tokens.getOrNull(at) ?: end).span.start
 
-    /** Returns the span from [start], where a token begins, to the end of the last token taken. */
+    /** Returns the span from [start], the beginning of a token, to the end of the last token that was read. */
     fun since(start: Int): Span = Span(start, if (at == 0) start else maxOf(start, tokens[at - 1].span.end))
 
     fun next(): Token = current.also { if (!isLost && !isAtEnd) at++ }
@@ -29,7 +29,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     fun take(symbol: String): Boolean = isAt(symbol).also { if (it) at++ }
 
-    /** Takes [symbol], or reports that it is missing. [what] describes the symbol in the message. */
+    /** Moves past [symbol], or reports that it is missing. [what] describes the symbol in the message. */
     fun expect(symbol: String, what: String = symbol) {
         if (!take(symbol)) expected(what)
     }
@@ -57,7 +57,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     private fun lastToken() = tokens.lastOrNull()?.span ?: end.span
 
-    /** Returns [read]'s result, or [tooDeep]'s if readers are nested too deep for the stack. */
+    /** Returns the result of [read]; if readers are nested too deep for the stack, returns that of [tooDeep] and does not call [read]. */
     inline fun <T> nested(tooDeep: (Span) -> T, read: () -> T): T {
         if (depth >= MAX_DEPTH) {
             fail("this is nested more than $MAX_DEPTH deep", current.span)
@@ -68,8 +68,8 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
     }
 
     /**
-     * Moves behind an error to the probable beginning of a component: behind a full stop, or at a line that begins like one. Looks for such
-     * a line from token [from] on, which comes before the error. So the reader reads each token twice at most.
+     * Moves to the probable beginning of a component: behind a full stop, or to a line that begins like a component. Searches for such a
+     * line from the token [from] on, which is before the error, so that tokens are read at most twice.
      */
     fun restart(from: Int) {
         isLost = false

@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Reads the tokens of [text] as Jason's parser does, always the longest possible one. Tells [report] what Jason refuses. Each character
- * except blanks is in one token.
+ * Reads the tokens of [text] as Jason's parser does: each token is as long as possible. Calls [report] for errors. Each character except
+ * blanks is in one token.
  */
 internal class Lexer(private val text: String, private val report: (SyntaxError) -> Unit) {
     private var at = 0
@@ -135,7 +135,7 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         const val ESCAPED = "ntbrf\\'\"01234567"
         val KEYWORDS = setOf("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while")
 
-        /** Each symbol stands before all shorter symbols with which it begins. */
+        /** A symbol is listed before all shorter symbols with which it begins. */
         val SYMBOLS = listOf(
             "|&|", "|||", "\\==", "=..", "<-", "<:", "<=", ":-", "::", ">=", "==", "**", "!!", "<", ">", "=", ":", "*", "/", "+", "-", "!",
             "?", "^", "~", "@", "&", "|", "{", "}", "[", "]", "(", ")", ",", ";", ".",

@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** A part of a program with its place. A node contains its [children], in the order of the text, and no other node. */
+/** A part of a program with its place. Its [children] are the nodes directly in it, in the order of the text. */
 sealed interface Node {
     val span: Span
     val children: List<Node> get() = emptyList()
@@ -9,7 +9,7 @@ sealed interface Node {
 /** A term or a formula. */
 sealed interface Term : Node
 
-/** Stands for a missing term. The program has an error at this place. */
+/** Replaces a missing term, where the program has an error. */
 class Missing(override val span: Span) : Term
 
 /** A name with its place. [text] has no quotes. */
@@ -51,7 +51,7 @@ class Literal(
     override fun toString(): String = indicator
 }
 
-/** A variable. A name that begins with `_` marks a value that the program does not use. */
+/** A variable. If its name begins with `_`, the program does not use the value. */
 class Variable(
     override val span: Span,
     override val namespace: Term?,
@@ -64,14 +64,14 @@ class Variable(
     override fun toString(): String = name.text
 }
 
-/** @property text as written, without a sign */
+/** @property text the digits as written, without a sign */
 class NumberTerm(override val span: Span, val text: String) : Term {
     val value: Double get() = text.toDouble()
 
     override fun toString(): String = text
 }
 
-/** @property text without the quotes, with its escapes as written */
+/** @property text the characters between the quotes, with escapes as written */
 class StringTerm(override val span: Span, val text: String) : Term {
     override fun toString(): String = "\"$text\""
 }
@@ -81,7 +81,7 @@ class ListTerm(override val span: Span, val items: List<Term>, val tail: Term?) 
     override val children: List<Node> get() = items + listOfNotNull(tail)
 }
 
-/** Operands between [operators] of one rank, such as `A + B - C` or `a & b`. The number of operands is that of the operators plus one. */
+/** Operands with [operators] of one rank between them, such as `A + B - C` or `a & b`. There is one operand more than operators. */
 class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands

@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Returns the terms in [components] that Jason's parser can read, but refuses since they cannot be an operand, a formula or a step.
- * A program that registers functions, or includes files that may do so, can add any literals.
+ * Returns the terms in [components] that Jason's parser reads but refuses, because they cannot be an operand, a formula or a step. Any
+ * literal can be a number in a program that registers functions, or that includes files.
  */
 internal fun operandErrors(components: List<Component>): List<SyntaxError> {
     val nodes = components.flatMap { it.withDescendants() }
@@ -33,7 +33,7 @@ private fun numbers(operands: List<Term>, hasFunctions: Boolean): List<SyntaxErr
 
 private fun formulas(operands: List<Term>): List<SyntaxError> = operands.filter(::isConstant).map { refusal(it, "no formula") }
 
-/** Returns true for a number or a string, also in brackets. */
+/** Returns true for a number or a string, with or without brackets around it. */
 private fun isConstant(term: Term): Boolean = when (term) {
     is NumberTerm, is StringTerm -> true
     is Bracketed -> isConstant(term.term)

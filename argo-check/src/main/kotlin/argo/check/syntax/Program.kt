@@ -3,7 +3,7 @@ package argo.check.syntax
 /**
  * A text in AgentSpeak. After an error the reader continues with the next component.
  *
- * @property tokens all tokens, with the comments; only blanks are between them
+ * @property tokens all tokens, including comments; only blanks are between them
  * @property errors the reasons why Jason refuses the text, in the order of the text; empty: Jason accepts it
  */
 class Program internal constructor(
@@ -13,13 +13,13 @@ class Program internal constructor(
     val components: List<Component>,
     val errors: List<SyntaxError>,
 ) {
-    /** Returns the nodes at a cursor at [offset], the outermost first; empty: there are none. */
+    /** Returns the nodes that a cursor at [offset] touches, the outermost first. */
     fun nodesAt(offset: Int): List<Node> =
         generateSequence(components.lastOrNull { it.span.touches(offset) } as Node?) { node ->
             node.children.lastOrNull { it.span.touches(offset) }
         }.toList()
 
-    /** Returns the token that contains [offset] or ends there; null: only blanks are there. */
+    /** Returns the token that contains [offset] or ends there; null: there are only blanks. */
     fun tokenAt(offset: Int): Token? {
         val next = tokens.binarySearchBy(offset) { it.span.start }.let { if (it >= 0) it else -it - 2 }
         return listOfNotNull(tokens.getOrNull(next), tokens.getOrNull(next - 1)).firstOrNull { it.span.touches(offset) }
@@ -41,7 +41,7 @@ fun Node.withDescendants(): Sequence<Node> = sequence {
 
 /**
  * Reads [text] as a program of Jason 3.2 or 3.3, in time proportional to its length. Reports no error in a text that Jason's parser
- * accepts. Reads any other text as far as possible.
+ * accepts. Reads other texts as far as possible.
  */
 fun programOf(text: String): Program {
     val errors = ArrayList<SyntaxError>()
@@ -55,5 +55,5 @@ fun programOf(text: String): Program {
     return Program(text, lines, tokens, components, if (isWhole || lexical > 0) errors.sortedBy { it.span.start } else errors)
 }
 
-/** Returns the literal or variable with which [tokens] begin; a part of it if it is not whole. */
+/** Returns the literal or variable with which [tokens] begin; if it is incomplete, returns its first part. */
 internal fun literalOf(tokens: List<Token>, lines: Lines): Term = ProgramReader(Cursor(tokens, lines) {}).literal()

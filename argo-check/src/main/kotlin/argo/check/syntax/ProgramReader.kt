@@ -132,7 +132,7 @@ internal class ProgramReader(private val cursor: Cursor) {
         }
     }
 
-    /** Reads the statements behind a statement that looks like an event, as in `{ +a; b }`. */
+    /** Reads the statements behind [first], a statement that looks like an event, as in `{ +a; b }`. */
     private fun statements(first: Trigger): Body {
         val operator = if (first.operator == "+") BodyOperator.ADD else BodyOperator.DELETE
         val statements = listOf(Formula(first.span, operator, first.term))
@@ -161,7 +161,7 @@ internal class ProgramReader(private val cursor: Cursor) {
         val PLAN_BEGINNINGS = EVENTS + setOf("@", "}")
         val EVENT_PARTS = setOf("!", "?", "~", "::", "true", "false", "begin", "end")
 
-        /** The tokens `{`, `end` and `}`. */
+        /** The number of tokens in `{ end }`. */
         const val END_TOKENS = 3
     }
 }

@@ -12,7 +12,7 @@ data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun toString(): String = "$line:$column"
 }
 
-/** The part of a text from offset [start] up to offset [end], which is not part of it. Offsets count UTF-16 units from 0. */
+/** The part of a text from offset [start] up to offset [end]. The character at [end] is outside. Offsets count UTF-16 units from 0. */
 data class Span(val start: Int, val end: Int) {
     val length: Int get() = end - start
 
@@ -37,14 +37,14 @@ class Lines(private val text: String) {
     /** The number of lines; an empty text has one line. */
     val count: Int get() = starts.size
 
-    /** Returns the position of [offset]; an offset behind the text stands for the end of the text. */
+    /** Returns the position of [offset]; for an offset behind the text, the position of its end. */
     fun position(offset: Int): Position {
         val at = offset.coerceIn(0, text.length)
         val line = starts.binarySearch(at).let { if (it >= 0) it else -it - 2 }
         return Position(line + 1, at - starts[line] + 1)
     }
 
-    /** Returns the offset of [position]. A position behind its line or the text stands for the end of that line or text. */
+    /** Returns the offset of [position]. If [position] is behind the end of its line or of the text, returns the offset of that end. */
     fun offset(position: Position): Int {
         if (position.line < 1) return 0
         if (position.line > count) return text.length

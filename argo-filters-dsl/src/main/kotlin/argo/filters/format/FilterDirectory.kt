@@ -13,8 +13,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.visitFileTree
 
 /**
- * A directory with filter files. Links to files are followed only within [boundary]. [foreignFiles] tells whether the directory is likely
- * to contain files that are no filters; [names] then leaves those out.
+ * A directory with filter files. Only links to files within [boundary] are followed. If [foreignFiles] is true, the directory may also
+ * contain other files, and [names] leaves these out.
  */
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 

@@ -8,11 +8,11 @@ import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
- * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. Next come the files in each of
- * [projectDirectories] and in its folder `filters/`. The folder `filters/` on the class path is last. Safe for use by several threads at
- * once.
+ * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. It then searches the files in
+ * each of [projectDirectories] and in its folder `filters/`, and last the folder `filters/` on the class path. Safe for use by several
+ * threads at once.
  *
- * Files are XML (`.xml`) or JSON (`.json`). A name may lack this ending; an XML file is then preferred. A name may contain folders
+ * Files are XML (`.xml`) or JSON (`.json`). A name may omit this ending; an XML file is then preferred. A name may contain folders
  * (`night/dark`). A name that leads out of the searched places is refused: absolute paths, `..`, backslashes, and links to files outside.
  */
 class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
@@ -28,7 +28,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     )
 
     /**
-     * Returns the filter called [name]. Reads the filter anew at each call.
+     * Returns the filter called [name]. Each call reads the filter again.
      *
      * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the searched places and
      *   the existing filters
@@ -42,14 +42,14 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters that [find] may find, sorted. A place that cannot be listed adds none. A listed file may turn out to
-     * be no filter.
+     * Returns the names of all filters that [find] may find, sorted. Places that cannot be listed are left out. [find] may refuse a listed
+     * file because it is no filter.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
     fun names(): List<String> = places.flatMap(FilterPlace::names).filter { nameProblem(it) == null }.distinct().sorted()
 
-    /** Returns the file on a disk that [find] reads for [name]; null: there is none. */
+    /** Returns the file on the disk that [find] reads for [name]; null: there is no such file. */
     fun path(name: String): Path? = places.firstNotNullOfOrNull { it.path(name) }
 
     private fun requireInside(name: String) {

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.PerceptionFilter
 import java.io.InputStream
 
-/** The kinds of filter files, in the order of the search. */
+/** The kinds of filter files, in the order in which they are searched for. */
 internal enum class FilterFormat(
     val extension: String,
     private val mark: String,

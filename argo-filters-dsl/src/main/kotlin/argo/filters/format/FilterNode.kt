@@ -1,14 +1,14 @@
 package argo.filters.format
 
-/** A value in a filter's document, with its position and its text for messages. An XML document takes the same form as a JSON document. */
+/** A value in a filter's document, with its position and its text for messages. XML and JSON documents are read into the same form. */
 internal sealed class FilterNode(val position: Position, val words: String) {
     class Object(position: Position, val members: List<Member>) : FilterNode(position, "an object")
 
     class Array(position: Position, val items: List<FilterNode>) : FilterNode(position, "an array")
 
     /**
-     * @property isText whether the scalar can be a text: in JSON if it is in quotes, in XML always
-     * @property isBare whether the scalar can be a number or truth value: in JSON if it has no quotes, in XML always
+     * @property isText true if the scalar can be a text: in JSON, a scalar in quotes; in XML, every scalar
+     * @property isBare true if the scalar can be a number or a truth value: in JSON, a scalar without quotes; in XML, every scalar
      */
     class Scalar(position: Position, val content: String, val isText: Boolean, val isBare: Boolean) :
         FilterNode(position, if (isText) "'$content'" else content)

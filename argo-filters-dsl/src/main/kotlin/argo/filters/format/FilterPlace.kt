@@ -11,12 +11,12 @@ import java.util.ServiceLoader
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.toPath
 
-/** A place with filters. `toString` is its name in messages. */
+/** A place with filters: a directory, or a part of the class path. `toString` returns the place's name for messages. */
 internal interface FilterPlace {
     /** Returns the filter called [name]; null if there is none. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
 
-    /** Returns the file that [find] reads for [name]; null: [find] reads none on a disk. */
+    /** Returns the file on the disk that [find] reads for [name]; null: [find] reads no such file. */
     fun path(name: String): Path? = null
 
     /** Returns the names of the place's filters, for messages; empty if the place cannot be listed. */
@@ -24,7 +24,7 @@ internal interface FilterPlace {
 }
 
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Loads the providers anew at each call, since a loader serves only one thread at a time. */
+    /** Each call loads the providers again, since only one thread at a time may use a loader. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
@@ -42,11 +42,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** Calls [load] and returns the result. The message of a failure contains all its causes, up to the refusal of a filter. */
+    /** Calls [load] and returns the result. If [load] fails, the message lists the causes, down to a filter that was refused. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // Java throws a linkage error if the class's static initializer fails
+        // a class whose static initializer fails causes a linkage error
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
@@ -85,7 +85,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
         }
     }
 
-    /** Opens [url] without the URL cache, which would keep the jar open. */
+    /** Opens [url] without the URL cache, since the cache would keep the jar open. */
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"

@@ -32,7 +32,9 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
 
 /** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
-    /** [names] are the members of an argument that are no part of a condition. [read] takes them, with the argument's index if known. */
+    /**
+     * The [names] of members of an argument that are no part of a condition, and the function [read] for them and for the argument's index.
+     */
     private class Besides(val names: List<String>, val read: (members: Map<String, Member>, index: Int?) -> Unit)
 
     fun filter(node: FilterNode): PerceptionFilter? {
@@ -103,7 +105,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
     private fun window(member: Member?): Int? =
         scalar(member, Scalar::isBare, SmoothingRule.WINDOW) { it.trim().toIntOrNull()?.takeIf(SmoothingRule::isWindow) }
 
-    /** Returns the rule without its rate. The members of arguments that are no part of a condition go to [besides]. */
+    /** Returns the rule without its rate. [besides] reads the members of arguments that are no part of a condition. */
     private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, besides) }
@@ -179,7 +181,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return operator
     }
 
-    /** Returns [value] in Jason's syntax: a number or a text as it is, an array as a list of values. */
+    /** Returns [value] in Jason's syntax: a number or text unchanged, an array as a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
@@ -207,7 +209,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
-    /** Applies [read] to a scalar of the right kind. Reports values of another kind, and values for which [read] returns null. */
+    /** Applies [read] to a scalar of the right kind. Reports a value of another kind, or one for which [read] returns null. */
     private fun <T> scalar(member: Member?, isOfKind: (Scalar) -> Boolean, expected: String, read: (String) -> T?): T? {
         if (member == null || member.value is FilterNode.Refused) return null
         val found = (member.value as? Scalar)?.takeIf(isOfKind)?.let { read(it.content) }
@@ -267,7 +269,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         const val AMONG = "among"
         const val MEDIAN = "median"
 
-        /** The members of an argument that say how it is smoothed. */
+        /** The members of an argument that define how the argument is smoothed. */
         val SMOOTHING = listOf(MAX_RATE, OUTLIERS, AMONG, MEDIAN)
         private val NUMBER = Regex("-?\\d.*")
     }

@@ -12,7 +12,7 @@ object JsonFilters {
      * Reads a filter.
      *
      * @param input the JSON document in UTF-8, with or without a byte-order mark. Not closed.
-     * @param source the document's file or other source, for messages
+     * @param source the file or other source of the document, for messages
      * @param name the filter's name; usually the last part of [source] without `.json`
      * @throws FilterException with all problems of the text
      * @throws java.io.IOException if [input] cannot be read

@@ -13,12 +13,12 @@ import argo.filters.usableName
 /** Writes filters as Kotlin source. ARGO cannot read Kotlin source back; only a Kotlin compiler can. */
 object KotlinFilters {
     /**
-     * Returns a Kotlin file with LF line ends. The only property in the file is an equal filter of the same name.
+     * Returns the text of a Kotlin file with LF line ends. The file's only property is an equal filter of the same name.
      *
-     * The property has the filter's name, in backquotes if Kotlin requires them. The name has `_` for characters that no Java method or
-     * file name can contain.
+     * The property has the filter's name, in backquotes if Kotlin requires them. In this name, `_` replaces characters that a Java method
+     * or file name cannot contain.
      *
-     * @throws IllegalArgumentException if agents cannot call a filter by its name
+     * @throws IllegalArgumentException if agents cannot call [filter] by its name
      */
     fun write(filter: PerceptionFilter): String = KotlinFilterWriter(filter).write()
 }

@@ -26,7 +26,7 @@ internal class Problems(private val source: String) {
         null
     }
 
-    /** @throws FilterException if there are problems; it lists all in the order of the text */
+    /** @throws FilterException if there are problems; the exception lists all of them in the order of the text */
     fun throwIfAny() {
         if (found.isNotEmpty()) throw FilterException(found.distinct().sortedBy { Position(it.line, it.column) })
     }

@@ -7,7 +7,7 @@ import java.nio.CharBuffer
 import java.nio.charset.Charset
 import java.nio.charset.CodingErrorAction
 
-/** A position in a text. Line and column count from 1, the column in characters. */
+/** A position in a text. Line and column are counted from 1, columns in characters. */
 internal data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
 }
@@ -32,7 +32,7 @@ internal class SourceText(val text: String) {
 /**
  * Decodes [bytes] from [charset], and removes a byte-order mark.
  *
- * @throws FilterException if there is a byte that is not in the charset, with its position in [source]
+ * @throws FilterException if some bytes are not in the charset; the exception contains their position in [source]
  */
 internal fun decodeStrictly(bytes: ByteArray, charset: Charset, source: String): String {
     val chars = CharBuffer.allocate(bytes.size + 1)

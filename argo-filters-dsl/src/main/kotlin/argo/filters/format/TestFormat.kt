@@ -9,7 +9,7 @@ internal object TestFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
 
-    /** The names in earlier files: equal, bigger, bigger or equal, smaller, smaller or equal. */
+    /** Operators as earlier files write them: equal, bigger, bigger or equal, smaller, smaller or equal. */
     private val ALIASES = mapOf(
         "E" to Operator.EQ, "B" to Operator.GT, "BE" to Operator.GE, "S" to Operator.LT, "SE" to Operator.LE,
     )
@@ -22,7 +22,7 @@ internal object TestFormat {
     val NAMES: String = OPERATORS.joinToString(", ") +
         ALIASES.entries.joinToString(", ", " (or ", ")") { (alias, operator) -> "$alias for $operator" }
 
-    /** Returns the canonical name of the operator [written], which may be in lower case or an alias; null: there is no such operator. */
+    /** Returns the canonical name of the operator [written], which may be an alias or in lower case; null: there is no such operator. */
     fun operator(written: String): String? = CANONICAL[written.trim()]
 
     /**

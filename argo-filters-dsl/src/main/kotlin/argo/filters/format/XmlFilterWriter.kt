@@ -7,7 +7,7 @@ import argo.filters.Rule
 import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
-/** Writes filters in the canonical XML form: with every operator, and the parts of a rule in the order of the model. */
+/** Writes filters in the canonical XML form: every operator is written, and the parts of a rule are in the order of [Rule]. */
 internal class XmlFilterWriter {
     private val text = StringBuilder("<?xml version=\"1.0\"?>\n")
     private var depth = 0
@@ -83,7 +83,7 @@ internal class XmlFilterWriter {
         text.append("  ".repeat(depth)).append(line).append('\n')
     }
 
-    /** Returns [text] with references for markup, and for [unsafe] characters that a parser would change. */
+    /** Returns [text] with character references in place of markup and of the characters [unsafe], which a parser would change. */
     private fun escaped(text: String, unsafe: String): String {
         val foreign = text.codePoints().filter { !isXml(it) }.findFirst()
         require(foreign.isEmpty) { "XML cannot hold the character U+%04X, which stands in %s".format(foreign.asInt, text) }

@@ -14,9 +14,9 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document. The document's declaration or byte-order mark (UTF-8 or UTF-16) names the encoding; otherwise the
+     * @param input the XML document. Its XML declaration or byte-order mark (UTF-8 or UTF-16) determines the encoding; without these, the
      *   encoding is UTF-8. Not closed.
-     * @param source the document's file or other source, for messages
+     * @param source the file or other source of the document, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text
      * @throws java.io.IOException if [input] cannot be read

@@ -9,10 +9,10 @@ import javax.xml.stream.XMLStreamReader
 
 internal class XmlAttribute(val name: String, val value: String, val position: Position)
 
-/** Text between two tags. [position] is that of the text's first character that is not white space. */
+/** Text between two tags. [position] is the position of the first character that is not white space. */
 internal class XmlText(val text: String, val position: Position)
 
-/** An element of the document. Names are as written, with their prefix. */
+/** An element of the document. Names keep their prefix. */
 internal class XmlElement(val name: String, val position: Position, attributes: List<XmlAttribute>) {
     val attributes = ArrayList(attributes)
     val children = ArrayList<XmlElement>()
@@ -34,14 +34,14 @@ internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFact
     setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
     setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
     setProperty(XMLInputFactory.IS_COALESCING, true)
-    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // otherwise the parser prints the problems that it throws
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // otherwise the parser also prints the problems that it throws
 }
 
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports only the end of a tag, so this class searches for the tag's beginning in [document]. This class also refuses a
- * document type declaration at once, so no entity is ever expanded or fetched.
+ * The JDK's parser reports only where a tag ends, so this class searches for the tag's beginning in [document]. It refuses a document type
+ * declaration at once, so that the parser never expands or fetches an entity.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)
@@ -77,14 +77,14 @@ internal class XmlTree(private val document: String, private val source: String)
         return null
     }
 
-    /** Returns the end of the tag. In a line that begins after a bare carriage return, the parser counts one character too few. */
+    /** Returns the end of the tag. The parser counts one character too few in a line that follows a bare carriage return. */
     private fun endOf(reader: XMLStreamReader): Int {
         if (reader.location.lineNumber < 1) return document.length
         return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1
     }
 
     private fun start(reader: XMLStreamReader) {
-        val start = document.lastIndexOf('<', markupEnd - 1) // no attribute contains this character
+        val start = document.lastIndexOf('<', markupEnd - 1) // attributes cannot contain this character
         val tag = document.substring(start, markupEnd)
         val offsets = ATTRIBUTE.findAll(tag).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
         val attributes = (0 until reader.attributeCount).map {
@@ -128,7 +128,7 @@ internal class XmlTree(private val document: String, private val source: String)
     private companion object {
         val ATTRIBUTE = Regex("""\s([^\s=]+)\s*=\s*(?:"[^"]*"|'[^']*')""")
 
-        /** Files of 2014 have elements in place of these attributes. */
+        /** Files of 2014 have elements instead of these attributes. */
         val ATTRIBUTE_ELEMENTS = setOf("id", "name", "operator")
     }
 }

@@ -16,12 +16,12 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
 
 /**
- * Reads one literal of a form that boards send. Returns null for text that needs Jason's full grammar: namespaces, variables, operators,
- * comments, reserved words.
+ * Reads one literal in a form that boards usually send. Returns null for text that needs Jason's full grammar: namespaces, variables,
+ * operators, comments, reserved words.
  */
 internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
-    /** Returns the same literal as Jason's parser; null if the text is left to that parser. */
+    /** Returns the literal that Jason's parser would return; null if the text is left to Jason's parser. */
     fun parse(): Literal? = literal()?.takeIf { blanks() == end }
 
     private fun literal(depth: Int = 0): Literal? {
@@ -36,7 +36,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return literal
     }
 
-    /** Reads a word that can only be an atom, or an atom in quotes. A dot marks the name of an internal action or function. */
+    /** Reads an atom in quotes, or a word that can only be an atom. A word with a dot may be an internal action or a function. */
     private fun functor(): String? {
         val start = at
         if (start >= end) return null
@@ -87,7 +87,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return double()?.let { NumberTermImpl(it).apply { srcInfo = SOURCE } }
     }
 
-    /** Stops at line breaks and comments, which are left to Jason's parser, since terms contain their line number. */
+    /** Stops at line breaks and comments: a term contains its line number, so texts of several lines are left to Jason's parser. */
     override fun blanks(): Int {
         while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
         return at
@@ -96,7 +96,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     private companion object {
         const val MAX_DEPTH = 64
 
-        /** Characters that show, behind a word, that it is the beginning of a name or a structure. */
+        /** A word that one of these characters follows is only the beginning of a name or a structure. */
         val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 

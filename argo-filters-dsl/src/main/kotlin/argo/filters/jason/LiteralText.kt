@@ -28,13 +28,13 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { pe
 /**
  * Returns the text of [percept] as a board would send it, for filters. Never throws.
  *
- * Unlike `toString`, it escapes quotes and line breaks in strings. A term nested too deep for filters becomes a variable.
+ * Unlike `toString`, it escapes quotes and line breaks in strings. A term that is nested too deep for filters is written as a variable.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
     depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
-    term.isVar -> term.toString() // checked first, since Jason takes a variable for a list, a string and a number as well
+    term.isVar -> term.toString() // checked first, since to Jason a variable is also a list, a string and a number
     term is StringTerm -> term.string?.let { "${GroundTerm.Text(it)}" } ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"

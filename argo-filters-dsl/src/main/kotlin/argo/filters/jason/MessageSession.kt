@@ -9,13 +9,12 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Turns a board's messages into percepts. The session splits a message, filters the texts, reads the kept texts, and limits how many
- * percepts the agent believes.
+ * Turns a board's messages into percepts: splits a message into texts, filters them, reads the kept texts, and limits their number.
  *
  * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  *
- * @param read returns the literals in a percept's text; empty if it refuses the text
- * @param limit returns the percepts that the agent is to believe, given the kept ones (first argument) and the critical ones (second)
+ * @param read returns the literals in a percept's text; none if the text cannot be read
+ * @param limit is called with the kept and the critical percepts, and returns those that the agent is to believe
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
@@ -27,7 +26,7 @@ class MessageSession(
     val filter: PerceptionFilter?
         get() = session.filter
 
-    /** Makes [filter] the active one from the next perception on, like [FilterSession.switchTo]; null: none. */
+    /** Makes [filter] the active filter from the next perception on, like [FilterSession.switchTo]; null: no filter is active. */
     fun switchTo(filter: PerceptionFilter?): Unit = session.switchTo(filter)
 
     /** Returns what the agent perceives of [message] at [nowMs]. */
@@ -36,7 +35,7 @@ class MessageSession(
     /**
      * Returns what the agent perceives of a message that has been split into the [texts] of its percepts.
      *
-     * @param old the texts of percepts whose sensors have not been read since the last message, like those for [FilterSession.perceive]
+     * @param old the texts of percepts whose sensors have not been read since the last message; see [FilterSession.perceive]
      */
     fun perceive(texts: List<String>, nowMs: Long, old: Set<String> = emptySet()): MessagePerception =
         literals(session.perceive(texts, nowMs, old))
@@ -65,9 +64,9 @@ class MessageSession(
  *
  * @property texts the percepts as texts, and the time at which the next held-back percept is due
  * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
- * @property seen the literals of the message's own percepts that the filter let through
+ * @property seen the literals of percepts that were in the message and that the filter let through
  * @property critical the percepts that meet critical rules, once for each such rule
- * @property unreadable the kept texts without any readable part
+ * @property unreadable the kept texts of which no part can be read as a literal
  */
 class MessagePerception internal constructor(
     val texts: FilteredPercepts<String>,

@@ -4,13 +4,13 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
 
-/** The text of a percept is no literal. The message contains the finding of Jason's parser. */
+/** The text of a percept is no literal. The message contains the error of Jason's parser. */
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * Reads percepts into the same literals as Jason's own parser. Forms that boards send are read faster: functors, atoms, numbers, strings,
- * nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string stands for a character that
- * Jason's syntax cannot express. Any thread may use it.
+ * Reads percepts into the same literals as Jason's own parser. The forms that boards usually send are read faster: functors, atoms,
+ * numbers, strings, nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string denotes a
+ * character that Jason's syntax cannot express. Safe for use by several threads at once.
  */
 object PerceptReader {
     private const val SHOWN = 80
@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // ParseException; RuntimeException for expressions that are no formulas, and for large numbers
+        throw refusal(percept, e) // ParseException, or RuntimeException for an expression that is no formula, or a large number
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

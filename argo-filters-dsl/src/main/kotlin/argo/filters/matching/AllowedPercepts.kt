@@ -10,14 +10,14 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
         .groupBy({ it.index }, { it.untilTest() ?: it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
-    /** Returns, in words, conditions on one term that no term can meet together; null if none are found. */
+    /** Returns, in words, conditions on one term that no term can meet together; null: no such conditions are found. */
     fun contradiction(): String? {
         val argument = arguments.entries.find { it.value.isEmpty() }
         if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
         return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
     }
 
-    /** Returns true if the argument at [index] is known to be a single number, or never a number, in the percepts of this set. */
+    /** Returns true if in all percepts of this set the argument at [index] is known to be the same number, or no number. */
     fun isFixed(index: Int): Boolean = arguments[index]?.isFixed() == true
 
     /** Returns true if every percept of this set is known to meet [condition]. */
@@ -31,7 +31,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     private val range =
         tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
 
-    /** All terms that the tests allow, if they allow only a few values; null otherwise. */
+    /** All terms that meet the tests, if these name the values that they allow; null otherwise. */
     private val values: Set<GroundTerm>? =
         (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
@@ -55,7 +55,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     }
 }
 
-/** Numbers between two limits. An open limit (see [isFromOpen]) is outside of the range. */
+/** Numbers between two limits. If a limit is open (see [isFromOpen]), the limit itself is outside of the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
     /** The numbers that meet [test], whose operator is an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)

@@ -15,10 +15,10 @@ import argo.filters.Syntax
 import argo.filters.TermTest
 
 /**
- * A rule in the form in which it is applied.
+ * A rule in a form that is fast to apply.
  *
- * @property critical the critical rule that it belongs to; null: it belongs to none
- * @property smoothing the smoothing rule that it belongs to; null: it belongs to none
+ * @property critical the critical rule whose conditions these are; null: there is none
+ * @property smoothing the smoothing rule whose conditions these are; null: there is none
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, val smoothing: SmoothingRule? = null) {
     private val predicate = rule.predicate
@@ -30,7 +30,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     /** True if a condition has two limits. */
     val hasLatches: Boolean = compiled.any { it.isLatch }
 
-    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: no namespace and no negation. */
+    /** Returns true if the rule is for percepts with this [tail] and [head]; [head] is null without a namespace and a negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -39,10 +39,10 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
 
     /**
      * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
-     * know which conditions with two limits held in the picture before, and note which hold now; null: none held.
+     * know which conditions with two limits held for the last message, and note which hold now; null: none held.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
-        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // so that each one is noted
+        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // so that latches note each one
         else compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
 
     /** Returns the first condition that the percept does not meet. The parameters are those of [areMet]. */
@@ -120,14 +120,14 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test. Null stands for a term that is no value, such as a variable. */
+    /** Returns true if [value] meets the test. Null: the term is no value, but for example a variable. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: the term equals one of the test's values. [number]: the term's number, or NaN. */
+    /** Decides whether a term meets the test. [isEqual]: the term equals one of the test's values. [number]: the term's number, or NaN. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual

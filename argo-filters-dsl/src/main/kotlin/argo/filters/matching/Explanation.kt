@@ -10,22 +10,22 @@ import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
 /**
- * The reason for which a filter keeps, drops or holds back a percept.
+ * The reason why a filter keeps, drops, replaces or holds back a percept.
  *
  * @property rule the rule that decided; null if no rule applies to the percept
  * @property reason the reason in words, as in `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
-    /** The fate of a percept. */
+    /** What the filter does with a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** The percept waits for a while. While it waits, the agent perceives the last percept of the same kind that was let through. */
+        /** The percept is delivered later. Until then, the agent perceives the last percept of the same kind that was let through. */
         HELD_BACK("is held back"),
 
-        /** By a smoothing rule, another percept of the same sensor stands for the percept, and has its own fate. */
+        /** A smoothing rule replaces the percept by another one of the same sensor, which may in turn be kept, dropped or held back. */
         REPLACED("is replaced"),
     }
 
@@ -41,7 +41,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
-        /** Explains the fate of [percept]. If [percept] stands for [received], critical rules that are not smoothed test [received]. */
+        /** Explains what happens to [percept]. If it replaces [received], critical rules that are not smoothed test [received]. */
         fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
             val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
             if (critical != null) {
@@ -55,7 +55,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
         }
 
-        /** Explains the fate of [percept] if it is the first of its sensor. */
+        /** Explains what happens to [percept] if it is the first of its sensor. */
         fun ofFirst(matcher: PerceptMatcher, percept: PerceptText): Explanation {
             val fate = of(matcher, percept, percept, null)
             val smoothing = matcher.smoothingRule(percept) ?: return fate
@@ -63,7 +63,9 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             return Explanation(fate.percept, fate.outcome, fate.rule, reason)
         }
 
-        /** Explains that by [rule] another percept stands for [received], for this [reason]. [of] is the fate of that other percept. */
+        /**
+         * Explains that [rule] replaces [received] by another percept, for this [reason]. [of] explains what happens to the other percept.
+         */
         fun replaced(matcher: PerceptMatcher, received: PerceptText, rule: CompiledRule, reason: String, of: Explanation): Explanation {
             val why = " by filter ${matcher.filter.name}: ${by(rule.smoothing, matcher)} $reason; $of"
             return Explanation("$received", Outcome.REPLACED, rule.rule, why)

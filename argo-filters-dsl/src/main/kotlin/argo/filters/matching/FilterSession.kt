@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last percepts of each
+ * Applies one agent's filters over time: it remembers which percepts were let through, held back and frozen, and the last percepts of each
  * sensor.
  *
  * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
@@ -17,18 +17,19 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var latches: Latches? = null
     private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
-    private var frozen: Map<String, List<P>> = emptyMap() // by what they have beside numbers
+    private var frozen: Map<String, List<P>> = emptyMap() // by their text without numbers
 
     /** The active filter; null: everything is kept. */
     val filter: PerceptionFilter?
         get() = matcher?.filter
 
     /**
-     * Makes [filter] the active one from the next perception on; null: no filter.
+     * Makes [filter] the active filter from the next perception on; null: no filter is active.
      *
-     * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains these frozen percepts until
-     * the next change of filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The
-     * session also [forgets][forget] earlier percepts, but critical rules that both filters have go on to hold until their second limits.
+     * If [filter] freezes beliefs, it keeps those percepts of the last perception that it hides. Until the next change of filters, every
+     * perception contains these frozen percepts. A frozen percept ends when one that differs only in numbers is let through. The session
+     * also [forgets][forget] earlier percepts. But conditions of critical rules that both filters have go on to hold until their second
+     * limits.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.let { PerceptMatcher(it, matcher) }
@@ -40,8 +41,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Forgets the percepts that rates held back, and the last percepts of each sensor. Call this if later percepts come at another time or
-     * from another board, and must not be compared with earlier ones.
+     * Forgets the percepts that rates held back, and the last percepts of each sensor. Call this if later percepts must not be compared
+     * with earlier ones, for example if they come from another board.
      */
     fun forget() {
         rates = RateMemory(filter)
@@ -52,9 +53,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs], if [percepts] are its whole picture of the world. Text that is not a percept is kept.
+     * Returns the agent's perception at [nowMs]. [percepts] are all percepts received now. Text that is not a percept is kept.
      *
-     * @param old percepts whose sensors have not been read since the last picture, so that smoothing rules do not count them again
+     * @param old percepts whose sensors have not been read since the last call; smoothing rules do not count them again
      */
     @JvmOverloads
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
@@ -65,8 +66,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
-     * is the last perception, with each due percept put in the place of its predecessor.
+     * Returns the agent's perception at [nowMs] if held-back percepts are due and no newer ones have come; null if none is due. The result
+     * is the last perception, in which each due percept replaces its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
@@ -87,7 +88,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         )
     }
 
-    /** Explains what becomes of [percept] with the text [standing], which the agent gets in place of a percept with the text [received]. */
+    /** Explains what happens to [percept], whose text is [standing], and which replaces a percept with the text [received]. */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
         val latches = latches?.ofNext()
         val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()
@@ -121,7 +122,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return FilteredPercepts(picture.received, kept, seen, critical?.toList().orEmpty(), holds.minOfOrNull { it.dueMs })
     }
 
-    /** Returns the percept that the agent perceives at [place], once for each critical rule that is met; empty: none is met. */
+    /** Returns the percept that the agent perceives at index [place], once for each critical rule that is met; empty: none is met. */
     private fun criticalAt(place: Int, matcher: PerceptMatcher): List<CriticalPercept<P>> {
         if (matcher.filter.critical.isEmpty()) return emptyList()
         val received = picture.received[place]
@@ -134,9 +135,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the percept that the agent perceives where [standing] stands; null: none. Adds rules that hold it back to [holds].
+     * Returns what the agent perceives for [standing], the result of smoothing; null: nothing. Adds the rule that holds it back to [holds].
      *
-     * @param critical the percept that is perceived since critical rules are met; null: none is met
+     * @param critical the percept that the agent perceives because critical rules are met; null: none is met
      */
     private fun decided(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         if (!rates.isEmpty) return rated(matcher, standing, critical, nowMs, holds)
@@ -176,7 +177,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** Makes a session for percepts in the text of the line. The session begins without a filter. */
+        /** Makes a session for percepts that are texts, as boards send them. The session begins without a filter. */
         fun ofTexts(): FilterSession<String> = FilterSession({ it }, ::withSmoothed)
     }
 }

@@ -10,10 +10,10 @@ import argo.filters.SmoothingRule
 import argo.filters.nameProblem
 
 /**
- * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
- * rules and conditions, deadbands and smoothing on missing arguments, smoothing of a single number, and critical rules that are smoothed by
- * no rule. A filter without rules, or with a name that no agent can ask for, has no effect either. Rules count from 1. Each sentence is true
- * for all percepts, but there may be more parts without effect.
+ * Finds parts of the filter that have no effect and returns a sentence for each. Such parts are rules that no percept can match,
+ * superfluous rules and conditions, deadbands and smoothing on missing arguments, smoothing of a single number, and critical rules on
+ * smoothed percepts that no rule smooths. A filter without rules, or with a name that no agent can ask for, has no effect either. Rules are
+ * counted from 1. A reported part never has an effect, but not every part without effect is reported.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -67,12 +67,12 @@ private class ReviewedRule(
         return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
     }
 
-    /** Warns if the critical rule is smoothed, but its predicate is not among those with smoothing rules, [smoothed]. */
+    /** Warns if the critical rule is smoothed, but its predicate is not one of [smoothed], the predicates with smoothing rules. */
     fun unsmoothed(smoothed: Set<Predicate>): String? =
         if (critical?.smoothed != true || rule.predicate in smoothed) null
         else sentence("is smoothed, and there is no smoothing rule on ${rule.predicate}")
 
-    /** Returns true if the critical rule tests the same percepts as ordinary rules. [smoothed] are the predicates with smoothing rules. */
+    /** Returns true if the critical rule tests the same percepts as ordinary rules. [smoothed]: the predicates with smoothing rules. */
     fun seesWhatRulesSee(smoothed: Set<Predicate>): Boolean = critical?.smoothed == true || rule.predicate !in smoothed
 
     /** Returns true if every percept that matches [other] matches this rule. */
@@ -114,7 +114,7 @@ private class ReviewedRule(
         .map { sentence("has a deadband on argument $it, and there is no such argument") } +
         listOfNotNull(smoothing?.argument).filter(::isMissing).map { sentence("smooths argument $it, and there is no such argument") }
 
-    /** Warns of a smoothing rule whose conditions leave its argument one value. */
+    /** Warns if the conditions of a smoothing rule allow only one value of the argument that it smooths. */
     fun fixedArgument(): String? = smoothing?.argument?.takeIf(allowed::isFixed)
         ?.let { sentence("smooths argument $it, and has a condition that leaves nothing to smooth there") }
 

@@ -7,9 +7,9 @@ import java.util.Collections
  * The percepts of one perception that reach an agent. The lists are immutable.
  *
  * @property received the percepts as they came
- * @property kept the percepts that the agent perceives, in the order of [received], with the frozen ones at the end. In place of a
- * held-back percept it has the last percept of the same kind that was let through.
- * @property seen the percepts of [kept] that came and passed: no replacements of held-back percepts, no frozen ones
+ * @property kept the percepts that the agent perceives, in the order of [received], with the frozen ones at the end. A held-back percept is
+ * replaced by the last percept of the same kind that was let through.
+ * @property seen the percepts of [kept] that came now: no replacements of held-back percepts, no frozen ones
  * @property critical the percepts of [received] that meet critical rules, once for each such rule
  * @property nextDueMs the time at which the next held-back percept is due, by the caller's clock, in ms; null: no percept is held back
  */

@@ -1,11 +1,11 @@
 package argo.filters.matching
 
 /**
- * Remembers for which sensors a condition with two limits holds. The condition holds for a percept whose number meets the first limit. It
- * also holds for one whose number meets the second limit, if it held for the sensor in the picture before. So neither the order of percepts
- * in a picture nor the number of questions about one matters.
+ * Remembers for which sensors a condition with two limits holds. A picture is the set of percepts that are received together. The condition
+ * holds for a percept whose number meets the first limit. If it held for the sensor in the picture before, it also holds for a percept
+ * whose number meets the second limit. So neither the order of percepts in a picture nor the number of calls for one percept matters.
  *
- * @param notes true if [holds] notes for the next picture what holds in this one
+ * @param notes true if [holds] notes what holds in this picture, for the next one
  */
 internal class Latches private constructor(
     private val memory: SensorMemory<Latch>, private var picture: Long, private val notes: Boolean,
@@ -15,19 +15,19 @@ internal class Latches private constructor(
     /** True if no condition has held for any sensor yet. */
     val isEmpty: Boolean get() = memory.isEmpty
 
-    /** Begins the next picture of the world. */
+    /** Begins the next picture. */
     fun begin() {
         picture++
     }
 
-    /** Returns latches that tell what would hold in the next picture, and note nothing. */
+    /** Returns latches that answer for the next picture, and note nothing. */
     fun ofNext() = Latches(memory, picture + 1, false)
 
     /**
      * Returns true if [condition] holds in this picture for the percept in [text], whose number meets the second limit. The sensor's name
      * is the text from [start] to [from] and from [to] to [end]. A percept that is too long for a [SensorMemory] is not remembered.
      *
-     * @param isMet the number meets the first limit too
+     * @param isMet true if the number also meets the first limit
      */
     fun holds(condition: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int, isMet: Boolean): Boolean {
         if (!SensorMemory.isRoomFor(end)) return isMet
@@ -37,7 +37,7 @@ internal class Latches private constructor(
         return holds
     }
 
-    /** The last pictures without a gap in which a condition held for a sensor: from [first] to [last]. */
+    /** The last unbroken series of pictures in which a condition held for a sensor: from [first] to [last]. */
     private class Latch {
         private var first = 0L
         private var last = -1L

@@ -8,15 +8,15 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.SmoothingRule
 
 /**
- * Decides about percepts by a filter's rules. Immutable; any thread may use it.
+ * Decides about percepts by a filter's rules. Immutable, and safe for use by several threads at once.
  *
  * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
- * each percept as the first of its sensor: no rate holds it back, and it stands for itself.
+ * each percept as the first of its sensor: no rate holds it back, and no smoothing rule replaces it.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
     val filter: PerceptionFilter,
-    before: PerceptMatcher? = null, // critical rules that it has too are the same objects here, so latches go on to know them
+    before: PerceptMatcher? = null, // critical rules of both filters stay the same objects, so latches still know them
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
     private val critical: List<CompiledRule> =
@@ -31,15 +31,15 @@ class PerceptMatcher internal constructor(
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
-     * True if no smoothing rule has a condition on an argument that is smoothed. If so, the number of a percept does not influence the
-     * choice of its rule.
+     * True if no smoothing rule has a condition on an argument that is smoothed. The rule for a percept then does not depend on the
+     * percept's number.
      */
     internal val smoothsByName: Boolean = filter.smoothing.map { it.argument }.toSet().let { smoothed ->
         filter.smoothing.none { smoothing -> smoothing.rule.conditions.any { it is Condition.Argument && it.index in smoothed } }
     }
 
     /**
-     * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
+     * Returns true if the filter drops the percept whose text, as a board sends it, is in [percept] from [start] to [end]: `dist(f,123)`.
      *
      * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
      * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
@@ -51,7 +51,7 @@ class PerceptMatcher internal constructor(
                 firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, null) { true } == null)
         }
 
-    /** Returns true if the filter drops [percept], which meets no critical rule. */
+    /** Returns true if the filter drops [percept]. The caller makes sure that [percept] meets no critical rule. */
     internal fun drops(percept: String, latches: Latches?): Boolean =
         scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
             isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)
@@ -62,8 +62,8 @@ class PerceptMatcher internal constructor(
     ): Boolean = (firstMet(index, text, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } != null) == drops
 
     /**
-     * Returns the first rule of [index] that [counts] and that the percept meets; null: it meets none. Rules with two limits behind it are
-     * asked too, since [latches] note what holds.
+     * Returns the first rule of [index] for which [counts] returns true and that the percept meets; null: there is none. Later rules with
+     * two limits are applied too, so that [latches] note what holds.
      */
     private inline fun firstMet(
         index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
@@ -88,7 +88,7 @@ class PerceptMatcher internal constructor(
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 
-    /** Returns the critical rules that are met: smoothed ones by [standing], others by [received], for which [standing] stands. */
+    /** Returns the critical rules that are met: smoothed ones by [standing], which replaces [received], and others by [received]. */
     internal fun criticalRules(received: PerceptText, standing: PerceptText, latches: Latches?): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
         return received.rulesIn(index).mapNotNull { rule ->
@@ -96,7 +96,7 @@ class PerceptMatcher internal constructor(
         }
     }
 
-    /** Returns true if a percept that [met] exactly these rules, none of them critical, is dropped for good. */
+    /** Returns true if a percept that meets exactly the rules [met], and no critical rule, is dropped for good. */
     internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)

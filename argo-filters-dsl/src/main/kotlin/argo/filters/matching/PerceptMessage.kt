@@ -2,7 +2,7 @@ package argo.filters.matching
 
 /**
  * Splits one Javino message into its percepts, in their order. A `;` outside of strings, quoted atoms and brackets separates percepts.
- * Percepts are trimmed, and empty ones left out.
+ * Percepts are trimmed, and empty percepts are left out.
  *
  * A percept with unmatched brackets or quotes ends at its next `;` of any kind, so that the percepts behind it are not lost.
  */
@@ -40,7 +40,7 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/** Returns the index of the quote that closes the one at [opening]; null if there is none. Strings have escapes, quoted atoms have none. */
+/** Returns the index of the quote that closes the one at [opening]; null if there is none. Only strings have escapes. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     val quote = text[opening]
     var i = opening + 1

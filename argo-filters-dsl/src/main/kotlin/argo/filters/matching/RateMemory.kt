@@ -4,22 +4,22 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** A [percept] with this [text], of this [kind] to rates. */
+/** A [percept] with its [text], and the [kind] to which it belongs for rates. */
 internal class RatedPercept<P>(val percept: P, val text: PerceptText, val kind: String)
 
-/** A [percept] that was let through at [atMs], with its numeric arguments. */
+/** A [percept] that was let through at [atMs]. [numbers] are its numeric arguments by their index. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
     /** The time at which the first newer percept was held back; null: no newer percept was held back. */
     var heldSinceMs: Long? = null
 }
 
-/** The [rule] holds a percept back until [dueMs]; while it does, the agent perceives [last]. */
+/** The [rule] holds a percept back until [dueMs]; until then, the agent perceives [last]. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
  * The memory of a filter's rates: the last percept that was let through, for each rule and each kind of percept. Percepts that differ only
- * in numbers are of one kind, unless they are in one picture: then the first, the second and so on are of a kind each. Percepts that a
- * [SensorMemory] has forgotten, or has no room for, are let through.
+ * in numbers are of one kind. But if several of them are received together, the first is of one kind, the second of another, and so on.
+ * Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
  */
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
@@ -27,16 +27,16 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = SensorMemory<LetThrough<P>>()
-    private val counts = HashMap<String, Int>() // of the picture's percepts so far that differ only in numbers
-    private val kinds = HashMap<P, String>() // of those percepts
+    private val counts = HashMap<String, Int>() // how many percepts of the group have this text, except for numbers
+    private val kinds = HashMap<P, String>() // the kinds of the group's percepts
 
-    /** Begins with the first percept of a picture. */
+    /** Begins a new group of percepts that are received together. */
     fun begin() {
         counts.clear()
         kinds.clear()
     }
 
-    /** Returns the picture's next [percept], whose text is [text], with its kind. */
+    /** Returns the group's next [percept], whose text is [text], with its kind. */
     fun next(percept: P, text: PerceptText): RatedPercept<P> {
         val key = text.key(ANY_NUMBER)
         val count = counts.merge(key, 1, Int::plus)
@@ -45,12 +45,12 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         return RatedPercept(percept, text, kind)
     }
 
-    /** Returns [percept], whose text is [text], with its kind in the picture; with that of the first one there if it is not in it. */
+    /** Returns [percept], whose text is [text], with its kind in the group; if it is not in the group, with the kind of a first one. */
     fun known(percept: P, text: PerceptText) = RatedPercept(percept, text, kinds[percept] ?: text.key(ANY_NUMBER))
 
     /**
-     * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive hold first; empty if the percept is let through or
-     * dropped for good.
+     * Returns the holds on [percept] by the rules [met], which it meets at [nowMs], the decisive hold first; empty if the percept is let
+     * through or dropped for good.
      */
     fun holds(met: List<CompiledRule>, percept: RatedPercept<P>, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
@@ -94,7 +94,7 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** Replaces every number in a key, since no term has this text. */
+        /** Replaces every number in a key. No term has this text. */
         const val ANY_NUMBER = "#"
     }
 }

@@ -36,7 +36,7 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         }
     }
 
-    /** Multiplies by the golden ratio and takes the high bits, so that numbered names (`s1`, `s2`) spread over the whole table. */
+    /** Multiplies by the golden ratio and uses the high bits, so that numbered names (`s1`, `s2`) spread over the whole table. */
     private fun slot(hash: Int) = (hash * GOLDEN_RATIO) ushr shift
 
     private companion object {

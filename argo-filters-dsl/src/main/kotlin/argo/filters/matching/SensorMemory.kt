@@ -1,10 +1,10 @@
 package argo.filters.matching
 
 /**
- * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition, which tells sensors apart in its own way.
+ * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition; each tells sensors apart in its own way.
  *
- * If a board has more sensors than [CAPACITY], the memory forgets those that came longest ago. Percepts longer than [MAX_LENGTH] characters
- * have no place in it ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
+ * If a board has more sensors than [CAPACITY], the memory forgets the sensors that were looked up longest ago. It has no room for percepts
+ * longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
  */
 internal class SensorMemory<V : Any> {
     private val probe = SensorKey()
@@ -14,10 +14,10 @@ internal class SensorMemory<V : Any> {
 
     val isEmpty: Boolean get() = values.isEmpty()
 
-    /** Returns the value of the sensor that [owner] knows by [name]; null: there is none. */
+    /** Returns the value of the sensor that [owner] calls [name]; null: there is none. */
     operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]
 
-    /** Returns the value of the sensor that [owner] knows by the [text] around the part from [from] to [to]; null: there is none. */
+    /** Returns the value of [owner] for the sensor whose name is the [text] around the part from [from] to [to]; null: there is none. */
     fun get(owner: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): V? =
         values[probe.of(owner, text, from, to, start, end)]
 
@@ -43,13 +43,13 @@ internal class SensorMemory<V : Any> {
     }
 }
 
-/** The name of a sensor to its owner: the text of its percepts without the part that changes. */
+/** The name of a sensor for its owner: the text of the sensor's percepts without the part that changes. */
 internal class SensorKey(
     private var owner: Any? = null, private var name: CharArray = CharArray(INITIAL_LENGTH), private var length: Int = 0,
 ) {
     private var hash = 0
 
-    /** Makes this the name in [text] from [start] to [end], without the part from [from] to [to]. */
+    /** Changes this name to the [text] from [start] to [end], without the part from [from] to [to]. */
     fun of(owner: Any, text: CharSequence, from: Int, to: Int, start: Int = 0, end: Int = text.length): SensorKey {
         val room = from - start + end - to
         if (name.size < room) name = CharArray(2 * room)

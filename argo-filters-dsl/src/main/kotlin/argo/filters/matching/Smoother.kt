@@ -13,19 +13,19 @@ import argo.filters.GroundTermReader
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** By [rule], for this [reason], the percept [standing] would stand for another percept. */
+    /** [rule] would replace a percept by the percept [standing], for this [reason]. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Sensor<P>>()
-    private val places = ArrayList<Sensor<P>?>() // the sensors that stood last at each place of a picture
+    private val places = ArrayList<Sensor<P>?>() // the last sensor at each index of a picture
 
     private var picture = Picture<P>()
     private var spare = Picture<P>()
-    private var isDoubted = false // true if the percept that was taken last is not credible
+    private var isDoubted = false // true if the percept that was added last is not credible
 
     /**
-     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. The result is filled again by the
-     * next call but one. Percepts among [old] that were in the picture before are not taken again.
+     * Adds the percepts [received] at [nowMs] to the readings, and returns them with the percepts that replace them. Percepts among [old]
+     * that were in the last picture are not added again. The next call but one fills the same picture again.
      */
     fun picture(received: List<P>, nowMs: Long, old: Set<P>): Picture<P> {
         val before = picture
@@ -40,7 +40,7 @@ internal class Smoother<P : Any>(
         return picture
     }
 
-    /** Takes a [percept] that has come at [nowMs] at this [place] of a picture, and returns the percept that stands for it. */
+    /** Adds a [percept] that has come at [nowMs], at index [place] of a picture; returns the percept that replaces it, or itself. */
     fun stands(percept: P, nowMs: Long, place: Int): P {
         val text = textOf(percept)
         isDoubted = false
@@ -52,8 +52,7 @@ internal class Smoother<P : Any>(
     }
 
     /**
-     * Takes the [percept] if its text shows that it is of this sensor, which saves the search for its rule and its sensor; else returns
-     * null.
+     * Adds the [percept] if its text shows that it comes from this sensor, without a search for rule and sensor; otherwise returns null.
      */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
@@ -69,7 +68,7 @@ internal class Smoother<P : Any>(
         places[place] = sensor
     }
 
-    /** Returns what would stand for [percept] if it came at [nowMs]; null: no rule smooths it. */
+    /** Returns the percept that would replace [percept] if it came at [nowMs]; null: no rule smooths it. */
     fun replacement(percept: P, nowMs: Long): Replacement<P>? {
         val text = textOf(percept)
         return read(text, null) { rule, known, from, to, number ->
@@ -81,10 +80,7 @@ internal class Smoother<P : Any>(
     private fun newSensor(rule: CompiledRule, text: String, from: Int, to: Int, key: SensorKey) =
         Sensor(Readings(checkNotNull(rule.smoothing), annotated), text.substring(0, from), text.substring(to), key)
 
-    /**
-     * Returns what [found] returns for the rule that smooths the percept, its sensor and its number in [text]; [none] if no rule smooths
-     * it.
-     */
+    /** Calls [found] with the rule that smooths the percept in [text], its sensor and its number. Returns [none] if no rule smooths it. */
     private inline fun <T> read(
         text: String, none: T, found: (rule: CompiledRule, known: Sensor<P>?, from: Int, to: Int, number: Double) -> T,
     ): T {
@@ -108,11 +104,11 @@ internal class Smoother<P : Any>(
     }
 }
 
-/** A sensor whose percepts are smoothed: its [readings], and a percept's text [before] and [behind] the number. */
+/** A sensor whose percepts are smoothed: its [readings], and the text of its percepts [before] and [behind] the number. */
 private class Sensor<P : Any>(val readings: Readings<P>, private val before: String, private val behind: String, val key: SensorKey) {
     /** The index at which the number begins. */
     val from: Int get() = before.length
 
-    /** Returns the end of the text that may be the number in [text]; 0 if the rest of [text] belongs to another sensor. */
+    /** Returns the index at which the number in [text] would end; 0 if the rest of [text] belongs to another sensor. */
     fun numberEnd(text: String): Int = if (text.startsWith(before) && text.endsWith(behind)) text.length - behind.length else 0
 }

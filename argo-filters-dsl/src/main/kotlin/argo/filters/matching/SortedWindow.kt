@@ -1,10 +1,10 @@
 package argo.filters.matching
 
-/** The last [size] numbers of a series, in their order by value. An addition takes time linear in [size] and allocates nothing. */
+/** The last [size] numbers of a series, sorted by value. Adding a number takes time linear in [size] and allocates nothing. */
 internal class SortedWindow(private val size: Int) {
     private val numbers = DoubleArray(size)
 
-    /** The places in [numbers], ordered by the numbers there. */
+    /** The indices of [numbers], sorted by the numbers there. */
     private val order = IntArray(size)
     private var next = 0
 
@@ -12,7 +12,7 @@ internal class SortedWindow(private val size: Int) {
     var count = 0
         private set
 
-    /** Adds [number], in place of the oldest one if the window is full. Returns the place of [number], from 0 to [size] - 1. */
+    /** Adds [number]. If the window is full, [number] replaces the oldest one. Returns the index of [number] in [numbers]. */
     fun add(number: Double): Int {
         val place = next
         next = if (place + 1 == size) 0 else place + 1
@@ -28,7 +28,7 @@ internal class SortedWindow(private val size: Int) {
         return i
     }
 
-    /** Moves the gap in [order] at [gap] to where [number] belongs, behind its equals, and fills it with [place]. */
+    /** Moves the gap in [order] from [gap] to where [number] belongs, behind equal numbers, and fills it with [place]. */
     private fun insert(place: Int, number: Double, gap: Int) {
         var i = gap
         while (i > 0 && numbers[order[i - 1]] > number) {
@@ -42,7 +42,7 @@ internal class SortedWindow(private val size: Int) {
         order[i] = place
     }
 
-    /** Returns the place of the middle number; of two, the newer one. */
+    /** Returns the index of the middle number; of two middle ones, that of the newer. */
     fun median(): Int {
         val upper = order[count / 2]
         if (count % 2 == 1) return upper
@@ -52,13 +52,13 @@ internal class SortedWindow(private val size: Int) {
 
     private fun age(place: Int) = (next - 1 - place + size) % size
 
-    /** Returns the number at [place]. */
+    /** Returns the number at index [place]. */
     operator fun get(place: Int): Double = numbers[place]
 
-    /** Returns the middle number; of two, the greater one. */
+    /** Returns the middle number; of two middle ones, the greater. */
     fun middle(): Double = numbers[order[count / 2]]
 
-    /** Returns the median of the distances to [middle] by a search outwards from there; of two, the greater one. */
+    /** Returns the median of the distances to [middle]; of two middle ones, the greater. Searches outwards from [middle]. */
     fun medianDistance(): Double {
         var low = count / 2
         var high = low

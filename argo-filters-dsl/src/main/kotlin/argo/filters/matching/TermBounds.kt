@@ -3,8 +3,8 @@ package argo.filters.matching
 import argo.filters.Syntax
 
 /**
- * Finds the bounds of terms in a percept's text, with respect to quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is no
- * percept. No function here builds a term, allocates or throws, whatever the text.
+ * Finds where terms begin and end in a percept's text, with regard to quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is
+ * no percept. The functions build no terms, allocate nothing and never throw.
  */
 internal object TermBounds {
     const val NONE = -1
@@ -13,7 +13,7 @@ internal object TermBounds {
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
-    /** Returns the end of the functor at [start] if it is an unreserved word with arguments or nothing behind it; [NONE] otherwise. */
+    /** Returns the end of the functor at [start] if it is an unreserved word, with arguments or nothing behind it; [NONE] otherwise. */
     fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end || text[start] !in 'a'..'z') return NONE
         val wordEnd = Syntax.wordEnd(text, start, end)
@@ -21,7 +21,7 @@ internal object TermBounds {
         return if (isPlain) wordEnd else NONE
     }
 
-    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Nothing may stand behind a truth value. */
+    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Nothing may follow a truth value. */
     fun tailOf(text: CharSequence, start: Int, functorEnd: Int, end: Int): Long {
         if (functorEnd < 0) return NO_TAIL
         val tail = tail(text, functorEnd, end)

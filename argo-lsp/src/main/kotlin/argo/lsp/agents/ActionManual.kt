@@ -6,7 +6,7 @@ internal object ActionManual {
     val actions: Map<String, String> = page("internal-actions.md").split(Regex("(?m)^## ")).drop(1)
         .associate { section -> section.lineSequence().first() to withoutLinks(section.substringAfter('\n').trim()) }
 
-    /** The options of actions, by the action's name without dots. Each option has its meaning, or its form if the page gives no meaning. */
+    /** The options of actions, by the action's name without dots. Each option has its meaning or, if the page has none, its form. */
     val options: Map<String, Map<String, String>> = actions.mapKeys { it.key.removePrefix("argo.") }
         .mapValues { (_, text) -> optionsIn(text) }
         .let { it + ("ports" to it.getValue("port")) }
@@ -26,13 +26,13 @@ internal object ActionManual {
             .mapValues { (_, meanings) -> meanings.distinct().joinToString("\n\n") }
     }
 
-    /** Removes links, which lead nowhere in an editor. */
+    /** Removes links, since their targets do not exist in an editor. */
     private fun withoutLinks(text: String) = text.replace(LINK, "$1")
 }
 
 private val ROW = Regex("""\| `([a-z_]+)` \| (.+?) \| (.+) \|""")
 private val LINK = Regex("""\[([^\]]+)]\([^)]+\)""")
 
-/** Matches the words "list of" and the list behind them: options in the same sentence, or the items below. */
+/** Matches the words "list of" and the options behind them, in the same sentence or as list items below. */
 private val LIST = Regex("""\blist\s+of\s((?:\s*`[a-z]+(?:\([^`]*\))?`(?:,|\s+or)?)+|(?:- (?:.+\n?)+))""")
 private val OPTION = Regex("""`(([a-z]+)(?:\([^`]*\))?)`(?:: ((?:.+\n?)(?: .+\n?)*))?""")

@@ -14,7 +14,7 @@ import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.CompletionItemLabelDetails
 import org.eclipse.lsp4j.InsertTextFormat
 
-/** The words that may stand at a cursor in an agent's program. */
+/** Finds the words that are possible at a cursor in an agent's program. */
 internal class Completions(private val project: Project, private val source: Source, offset: Int, private val words: Words) {
     private val typing = Typing(source.program, offset)
     private val call = typing.calls.firstOrNull()
@@ -35,7 +35,7 @@ internal class Completions(private val project: Project, private val source: Sou
         }.distinctBy { it.label }
     }
 
-    /** The words for the argument of an action, or of `error(…)`; null: any word may stand there. */
+    /** The words for the argument of an action, or of `error(…)`; null: any word is possible. */
     private fun inCall(): List<CompletionItem>? = when {
         call == null -> null
         call.name == "error" && call.argument == 0 ->

@@ -11,7 +11,7 @@ import argo.tools.command.counted
 import org.eclipse.lsp4j.Hover
 import kotlin.io.path.name
 
-/** The explanation of the word under the cursor. [lastValues] returns a running agent's newest percepts with a functor and arity. */
+/** Explains the word under the cursor. [lastValues] returns a running agent's newest percepts with a functor and an arity. */
 internal class Hovers(
     private val project: Project,
     private val source: Source,

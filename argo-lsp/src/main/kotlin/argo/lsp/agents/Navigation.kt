@@ -52,7 +52,7 @@ internal class Navigation(private val project: Project, private val source: Sour
         each.occurrences.filter(isMeant).map { location(each.text, it.literal.span) }
     }
 
-    /** Returns the file of the filter or include at [offset]. */
+    /** Returns the place of the file that the filter or include at [offset] names. */
     private fun file(offset: Int): List<Location> {
         val nodes = source.program.nodesAt(offset)
         val name = nodes.filterIsInstance<StringTerm>().lastOrNull()?.text ?: return emptyList()

@@ -13,7 +13,7 @@ internal class Renaming(private val project: Project, private val source: Source
     /**
      * Returns the belief or goal at [offset]; null: there is none.
      *
-     * @throws RefusedException if the name also comes from outside of the agent's programs
+     * @throws RefusedException if the name is also used outside of the agent's programs
      */
     fun renamedAt(offset: Int): Occurrence? {
         val occurrence = source.occurrenceAt(offset) ?: return null
@@ -42,7 +42,7 @@ internal class Renaming(private val project: Project, private val source: Source
         return Renamed(WorkspaceEdit(edits), "other files still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
     }
 
-    /** Returns the messages in other agents' programs that contain the name of [occurrence]. A renaming does not change these messages. */
+    /** Returns the messages with the name of [occurrence] in programs of other agents. A renaming does not change these messages. */
     private fun sentByOthers(occurrence: Occurrence): List<String> {
         val family = project.family(source)
         return project.sources.filter { it !in family }.flatMap { each ->
@@ -52,7 +52,7 @@ internal class Renaming(private val project: Project, private val source: Source
         }
     }
 
-    /** Returns the agents in project files whose options `beliefs` and `goals` contain the name. A renaming does not change the options. */
+    /** Returns the agents in project files whose option `beliefs` or `goals` contains the name. A renaming does not change options. */
     private fun initialIn(occurrence: Occurrence): List<String> {
         val agents = project.checked.agentsOf(source.file)
         return project.checked.masFiles.flatMap { mas ->

@@ -5,10 +5,10 @@ import argo.check.syntax.Span
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** An open call around a place. [argument] is the number of the argument at the place, from 0. */
+/** A call around a place, which is not closed yet. [argument] is the index of the argument at the place, counted from 0. */
 internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
 
-/** The kinds of places in a program, by the words that are expected there. */
+/** The kinds of places in a program. Each kind expects other words. */
 internal enum class Region {
     /** Between components. */
     TOP,
@@ -20,23 +20,23 @@ internal enum class Region {
     BODY,
 }
 
-/** The place of a cursor in [program], which may be incomplete there. */
+/** The place of a cursor in [program]. The program may be incomplete there. */
 internal class Typing(private val program: Program, private val offset: Int) {
     private val touched = program.tokens.lastOrNull { it.span.start < offset && it.span.end >= offset }
 
     /** True if the cursor is in a comment or a string. */
     val isAside: Boolean = touched?.let { it.kind == TokenKind.COMMENT || it.kind == TokenKind.STRING } == true
 
-    /** The word up to the cursor with the dots in it, such as `argo.ac`; empty: there is none. */
+    /** The word up to the cursor, including dots, such as `argo.ac`; empty: there is no word. */
     val word: Span = Span(beginningOfWord(), offset)
 
     val text: String get() = program.text.substring(word.start, word.end)
 
-    /** The tokens before the word in its component. */
+    /** The tokens before [word] in the same component. */
     private val before: List<Token> = program.tokens.filter { it.span.end <= word.start && it.kind != TokenKind.COMMENT }
         .let { tokens -> tokens.subList(tokens.indexOfLast { it.isSymbol(".") } + 1, tokens.size) }
 
-    /** The symbols directly before the word, such as `+!`, with or without a blank behind them. */
+    /** The symbols before [word], such as `+!`, perhaps with blanks behind them. */
     val prefix: String = before.takeLastWhile { it.kind == TokenKind.SYMBOL && it.text in PREFIXES }.joinToString("") { it.text }
 
     val region: Region = when {
@@ -53,7 +53,7 @@ internal class Typing(private val program: Program, private val offset: Int) {
         val text = program.text
         var begin = offset
         while (begin > 0 && (text[begin - 1].isLetterOrDigit() || text[begin - 1] in "_.")) begin--
-        // a number is no word
+        // a number is not a word
         return if (text.substring(begin, offset).firstOrNull()?.isDigit() == true) offset else begin
     }
 

@@ -6,7 +6,7 @@ import org.eclipse.lsp4j.Hover
 internal const val PREDICATE = "predicate"
 internal const val REFLEX = "reflex"
 
-/** The words of a project's boards for filters: functors of [percepts], with their meanings in Markdown, and names of [actions]. */
+/** Words for filters, from a project's boards: functors of [percepts] with their meanings in Markdown, and names of [actions]. */
 internal class FilterWords(val percepts: Map<String, String>, val actions: List<String>)
 
 internal fun hoverOf(named: Named) = Hover(markdown("`${named.name}`\n\n${named.documentation}"))

@@ -18,7 +18,7 @@ internal object JsonFilterSchema {
         return at(path.dropLast(1))?.getAsJsonObject("properties")?.getAsJsonObject(name)?.let { named(name, it) }
     }
 
-    /** Returns the values that may stand at [path], as JSON; empty if there are too many to list. */
+    /** Returns the values, as JSON, that are possible at [path]; empty if there are too many to list. */
     fun values(path: List<String>): List<String> {
         val kind = at(path) ?: return emptyList()
         val listed = kind.getAsJsonArray("enum") ?: kind.getAsJsonArray("anyOf")?.first()?.asJsonObject?.getAsJsonArray("enum")

@@ -1,16 +1,16 @@
 package argo.lsp.filters
 
 /**
- * A place in a JSON document, which may be incomplete there.
+ * A place in a JSON document. The document may be incomplete there.
  *
  * @property path the members around the place, the outermost first; `[]` for an item of an array
  * @property isName true if the place is for the name of a member, false if it is for a value
- * @property isQuoted whether the place is between quotes
- * @property begin the offset of the first character of the word at the place, behind its quote
+ * @property isQuoted true if the place is between quotes
+ * @property begin the offset at which the word at the place begins, behind a quote
  */
 internal data class JsonPlace(val path: List<String>, val isName: Boolean, val isQuoted: Boolean, val begin: Int) {
     companion object {
-        /** The step into an item of an array. */
+        /** A step of [path] into an item of an array. */
         const val ITEM = "[]"
 
         fun at(document: String, offset: Int): JsonPlace = JsonScan(document, offset).place()
@@ -18,7 +18,7 @@ internal data class JsonPlace(val path: List<String>, val isName: Boolean, val i
 }
 
 private class JsonScan(private val document: String, private val end: Int) {
-    /** An open object or array. [name] is the member whose value is being read or comes next. */
+    /** An open object or array. [name] is the member whose value is being read or will be read next. */
     private class Level(val isObject: Boolean) {
         var name: String? = null
         var isInValue = false

@@ -16,11 +16,11 @@ internal object XmlFilterSchema {
         .use { DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(it).documentElement }
     private val root = schema.children("element").map(::element)
 
-    /** Returns the elements that may stand in the innermost of [open]; empty if [open] is no valid nesting. */
+    /** Returns the elements that the innermost element of [open] may contain; empty if [open] is no valid nesting. */
     fun elementsIn(open: List<String>): List<XmlElementKind> =
         open.fold(root) { known, name -> known.find { it.named.name == name }?.elements.orEmpty() }
 
-    /** Returns the element [name] if it may stand in the innermost of [open]; null: it may not. */
+    /** Returns the element [name] if the innermost element of [open] may contain it; null: it may not. */
     fun element(open: List<String>, name: String): XmlElementKind? = elementsIn(open).find { it.named.name == name }
 
     private fun element(node: Element): XmlElementKind {
@@ -47,8 +47,7 @@ internal object XmlFilterSchema {
     }
 
     /**
-     * Returns the values of a simple type. For a union these are the values of its first part; the other parts only spell the same values
-     * differently.
+     * Returns the values of a simple type. For a union, returns those of the first part, since the other parts are only other spellings.
      */
     private fun values(type: String): List<String> {
         val simple = global("simpleType", type) ?: return emptyList()

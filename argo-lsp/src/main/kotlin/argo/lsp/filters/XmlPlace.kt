@@ -1,10 +1,10 @@
 package argo.lsp.filters
 
 /**
- * A place in an XML document, which may be incomplete there.
+ * A place in an XML document. The document may be incomplete there.
  *
- * @property open the names of the elements around the place, the root first; a tag at the place does not count
- * @property begin the offset of the first character of the word at the place
+ * @property open the names of the elements around the place, the root first, without an element whose tag is at the place
+ * @property begin the offset at which the word at the place begins
  */
 internal data class XmlPlace(val open: List<String>, val part: Part, val begin: Int) {
     /** The kind of text at a place. */
@@ -19,7 +19,7 @@ internal data class XmlPlace(val open: List<String>, val part: Part, val begin: 
 
         data class Value(val element: String, val attribute: String) : Part
 
-        /** A comment, a processing instruction, or a blank in a tag where no word may stand. */
+        /** A comment, a processing instruction, or a blank in a tag where no word is allowed. */
         data object Nothing : Part
     }
 
@@ -51,7 +51,7 @@ private class XmlScan(private val document: String, private val end: Int) {
         return true
     }
 
-    /** Reads a tag; returns the place if the tag contains it. */
+    /** Reads a tag. Returns the place if it is in the tag; null: it is not. */
     private fun tag(): XmlPlace? {
         at++
         val isEnd = document.getOrNull(at) == '/'

@@ -10,7 +10,7 @@ import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.WorkspaceEdit
 
-/** The server's help for one kind of file. Only the server's worker thread calls it. */
+/** The server's help for one kind of file. Only the server's worker thread calls these functions. */
 internal interface Language {
     fun diagnostics(text: Text): List<Diagnostic>
 
@@ -27,16 +27,16 @@ internal interface Language {
     fun references(text: Text, offset: Int, withDefinitions: Boolean): List<Location> = emptyList()
 
     /**
-     * Returns the place of the name at [offset] of [text] if it can be changed; null: there is no name.
+     * Returns the place of the name at [offset] of [text], which can be renamed; null: there is no name.
      *
-     * @throws RefusedException with the reason, if the name cannot be changed
+     * @throws RefusedException if the name cannot be changed; its message is the reason
      */
     fun renamed(text: Text, offset: Int): Range? = null
 
     /**
-     * Returns the changes that rename the word at [offset] of [text] to [name], with a note to the user. Null: the word is no name.
+     * Returns the changes that rename the word at [offset] of [text] to [name], with a note for the user. Null: the word is no name.
      *
-     * @throws RefusedException with the reason, if the name cannot be changed
+     * @throws RefusedException if the name cannot be changed; its message is the reason
      */
     fun rename(text: Text, offset: Int, name: String): Renamed? = null
 
@@ -49,5 +49,5 @@ internal interface Language {
 /** @property note the places that the renaming does not change; null: none */
 internal class Renamed(val edit: WorkspaceEdit, val note: String?)
 
-/** The editor requests something impossible; [message] tells the user why. */
+/** A request of the editor cannot be fulfilled; [message] tells the user the reason. */
 internal class RefusedException(message: String) : Exception(message)

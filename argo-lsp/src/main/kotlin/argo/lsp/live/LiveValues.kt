@@ -15,12 +15,12 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Asks the live view of an agent on this computer for the agent's present percepts and beliefs. */
+/** Gets an agent's present percepts and beliefs from the agent's live view on this computer. */
 internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_MS)) {
     private val client by lazy { HttpClient.newBuilder().connectTimeout(limit).build() }
 
     /**
-     * Returns the newest percepts of [functor] with [arity] arguments; without such percepts, the beliefs. Empty if [agent] has no view at
+     * Returns the newest percepts with this [functor] and [arity]; if there are none, returns such beliefs. Empty if [agent] has no view at
      * [port].
      */
     fun of(port: Int, agent: String, functor: String, arity: Int): List<String> {
@@ -49,7 +49,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
         return get(answer)?.let { JsonParser.parseString(it.removePrefix(DATA)).asJsonObject }
     }
 
-    /** Returns null if no agent runs, or if another program has its port. */
+    /** Returns the answer; null if no agent runs, or if another program uses its port. */
     private fun get(answer: CompletableFuture<String?>): String? = try {
         answer.get(limit.toMillis(), TimeUnit.MILLISECONDS)
     } catch (refused: ExecutionException) {
@@ -60,7 +60,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
     }
 
     private companion object {
-        /** The longest wait of a hover for values. */
+        /** The longest time for which a hover waits for values. */
         const val LIMIT_MS = 300L
         const val DATA = "data:"
         const val OK = 200

@@ -7,7 +7,7 @@ import argo.lsp.text.Text
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
-/** The files of a project. An open text in the editor replaces the file on the disk. [checked] is the project in the form of argo-check. */
+/** The files of a project. A text that is open in the editor replaces its file. [checked] is the project as argo-check reads it. */
 internal class Project(
     val checked: argo.check.project.Project,
     private val open: Map<Path, Text>,
@@ -28,7 +28,7 @@ internal class Project(
     fun family(source: Source): List<Source> =
         listOf(source) + checked.partsOf(source.file).programs.filter { it !== source.agent }.map(::source)
 
-    /** Returns the programs whose file an include of [name] may mean. */
+    /** Returns the programs that an include of [name] may mean. */
     fun included(name: String): List<Source> = sources.filter { it.file.endsWith(name.substringAfterLast('/')) }
 
     private fun source(program: AgentProgram) =

@@ -12,15 +12,15 @@ import java.util.Optional
 import kotlin.io.path.extension
 
 /**
- * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses it. [tell] gets the
- * files that are left out of a project, once and in words.
+ * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses this class. [tell] is
+ * called once for each description in a project's files that cannot be read.
  */
 internal class Projects(private val texts: OpenTexts, private val tell: (String) -> Unit) {
-    /** The projects, by their folders. A file without a project file near it has its own folder as project folder. */
+    /** The projects, by their folders. For a file without a project file near it, the file's folder is the project folder. */
     private val read = HashMap<Path, Project>()
     private val told = HashSet<String>()
 
-    /** The project folders, by the folders of files in them. */
+    /** Maps folders of files to the project folders that contain them. */
     private val roots = HashMap<Path, Optional<Path>>()
 
     /** Forgets all projects, so that they are read again. Call this after files have changed on the disk, or a text was closed. */
@@ -39,7 +39,7 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         return (if (current === known) Project(current, open, last.check) else Project(current, open)).also { read[folder] = it }
     }
 
-    /** Returns this project with the editor's text of the file [path], if that text is different. */
+    /** Returns this project with the editor's [text] of the file [path]; returns the same project if it has this text already. */
     private fun argo.check.project.Project.with(path: Path, text: Text): argo.check.project.Project = when (path.extension) {
         "asl" -> if (programs[path]?.program?.text == text.content) this else with(path, text.content)
         "mas2j" -> if (projectFiles.any { it.path == path && it.text == text.content }) this

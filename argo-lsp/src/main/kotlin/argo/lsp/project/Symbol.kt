@@ -17,7 +17,7 @@ internal data class Symbol(val subject: Subject, val functor: String, val arity:
 internal class Occurrence(val symbol: Symbol, private val role: Role, val literal: Literal) {
     val name: Span get() = literal.name.span
 
-    /** True for a plan for the goal, and for a belief, rule, step or plan that adds the belief. */
+    /** True for a plan that handles the goal, and for a belief, a rule, a step or a plan `+?b` that provides the belief. */
     val isDefinition: Boolean get() = role in DEFINING
 
     /** True if the place is in a message to another agent. */
@@ -26,7 +26,7 @@ internal class Occurrence(val symbol: Symbol, private val role: Role, val litera
     /** True if the place adopts the goal or reads the belief. */
     val isUse: Boolean get() = !isDefinition && role != Role.EVENT
 
-    /** The namespace as written; empty: there is none. */
+    /** The namespace as written; empty: the literal has none. */
     val namespace: String get() = literal.namespace?.toString()?.substringBefore('/').orEmpty()
 
     companion object {

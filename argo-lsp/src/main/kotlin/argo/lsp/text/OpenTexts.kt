@@ -28,7 +28,7 @@ internal class OpenTexts {
     @Synchronized
     fun all(): List<Text> = texts.values.toList()
 
-    /** Calls [say] if [text] is the editor's present text. No text changes during the call, so [say] never reports on a replaced text. */
+    /** Calls [say] if [text] is still the editor's text. Texts do not change during the call, so [say] never reports on a replaced text. */
     @Synchronized
     fun ifCurrent(text: Text, say: () -> Unit) {
         if (texts[text.uri] === text) say()

@@ -7,23 +7,23 @@ import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent
 
 /**
- * The text of a file in the editor. Immutable. Positions are those of the protocol: lines and UTF-16 units from 0. Offsets are indices into
- * [content].
+ * The text of a file in the editor. Immutable. Positions are as in the protocol: lines and UTF-16 units, counted from 0. Offsets are
+ * indices into [content].
  *
- * @property uri the file, as the editor names it
+ * @property uri the URI by which the editor names the file
  * @property version the editor's number for this text
  */
 internal class Text(val uri: String, val version: Int, val content: String) {
     private val lines: Lines by lazy(LazyThreadSafetyMode.PUBLICATION) { Lines(content) }
 
-    /** Returns the offset of [position]. A position behind the end of its line or of the text means that end. */
+    /** Returns the offset of [position]. If [position] is behind the end of its line or of the text, returns the offset of that end. */
     fun offset(position: Position): Int = lines.offset(argo.check.syntax.Position(position.line + 1, position.character + 1))
 
     fun position(offset: Int): Position = lines.position(offset).let { Position(it.line - 1, it.column - 1) }
 
     fun range(span: Span): Range = Range(position(span.start), position(span.end))
 
-    /** Returns the text after all [changes]. Each change applies to the result of the one before. */
+    /** Returns the text after all [changes]. Each change applies to the result of the change before it. */
     fun changed(version: Int, changes: List<TextDocumentContentChangeEvent>): Text =
         changes.fold(this) { text, change -> text.changed(version, change) }
 

@@ -16,11 +16,11 @@ import kotlin.system.exitProcess
 fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList(), System.out, System.err))
 
 /**
- * Explores the agents in the file of the first argument. The other arguments are options of the tool `explore`, as `--NAME=VALUE`.
+ * Explores the agents in the file that the first argument names. The other arguments are options of the tool `explore`, as `--NAME=VALUE`.
  *
- * @param err takes the reason if nothing is explored
+ * @param err where the reason is printed if nothing is explored
  * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken. A Java
- * machine that cannot start never ends with the status 4.
+ * virtual machine that cannot start has another status than 4.
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {

@@ -23,18 +23,18 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 
-/** A kind of rule, written as [usage]. [make] returns the rule for the given arguments, or null if it does not accept them. */
+/** A kind of rule, written as [usage]. [make] returns the rule for the given arguments, or null if these are wrong. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }
 
-/** A form with whole numbers as arguments, or without arguments. */
+/** A kind of rule with whole numbers as arguments, or without arguments. */
 private fun numbers(usage: String, make: (List<Int>) -> Rule?) = RuleText(usage) { terms ->
     val numbers = terms.mapNotNull { (it as? NumberTerm)?.solve()?.toInt() }
     if (numbers.size == terms.size) make(numbers) else null
 }
 
-/** A form with a list of commands as its argument, or without arguments. */
+/** A kind of rule with a list of commands as its argument, or without arguments. */
 private fun except(usage: String, make: (List<String>) -> Rule) = RuleText(usage) { terms ->
     when (terms.size) {
         0 -> make(emptyList())
