@@ -6,7 +6,7 @@ import java.nio.file.Path
 /** The version of the content of agents' recordings. A reader refuses a newer version. */
 const val FORMAT = "2"
 
-/** The readable versions. Version 1 wrote terms in Jason's own notation. */
+/** The readable versions. Recordings of version 1 have terms in Jason's own notation. */
 internal val FORMATS = setOf("1", FORMAT)
 
 internal fun agentMetadata(name: String) = "agent/$name"
