@@ -31,7 +31,7 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/** Returns the belief recorded at [place]; null: there is none. [now] are the program's beliefs, of which [belief] stands at that place. */
+/** Returns the belief recorded at [place]; null: there is none. [belief] is the present belief at [place] in [now]. */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief

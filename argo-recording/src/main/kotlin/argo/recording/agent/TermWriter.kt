@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
- * No term of Jason's begins with `#kind(…)`.
+ * Writes a term so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
+ * In Jason's notation no term begins with `#`.
  *
  * | written | is |
  * |---|---|
@@ -115,7 +115,7 @@ internal class TermWriter {
         },
     )
 
-    /** Writes a string. Jason resolves some escapes and drops some characters; it cannot read such strings back. */
+    /** Writes a string. Jason's notation cannot hold every string: Jason resolves some escapes, and drops some characters. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }
@@ -276,7 +276,7 @@ internal class TermWriter {
 
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** Returns [text] in quotes. The result has only characters that every encoding has. */
+        /** Returns [text] in quotes. The result has no surrogates and no control characters, so every encoding of Unicode can hold it. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {
