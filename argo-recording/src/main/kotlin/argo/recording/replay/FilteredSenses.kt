@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The recorded percepts, with the boards' messages seen through [filter] instead of the recorded filters. Percepts of an environment and
- * beliefs about ports stay.
+ * beliefs about ports stay as recorded.
  */
 internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private val boards = LinkedHashMap<String, Board>()

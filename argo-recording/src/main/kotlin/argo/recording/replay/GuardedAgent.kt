@@ -21,7 +21,7 @@ import jason.asSyntax.Term
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     private var code: WatchedCode? = null // null while the program is read
 
-    /** Asks [asked] about the calls of the agent's [code] from now on. Call this when Jason has read the program. */
+    /** From now on asks [asked] about the calls of the agent's [code]. Call this when Jason has read the program. */
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked

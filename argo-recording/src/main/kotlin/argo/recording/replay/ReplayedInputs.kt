@@ -77,8 +77,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Calls [watch] for the code of the agent of [ts], and watches the code that it looks up later. Throws [RecordingException] if code
-     * cannot be watched.
+     * Calls [watch] for the code of the agent of [ts], and watches the code that the agent looks up later. Throws [RecordingException] if
+     * code cannot be watched.
      */
     private fun guarded(ts: TransitionSystem, watch: () -> WatchedCode): WatchedCode = try {
         watch().also { (ts.ag as GuardedAgent).begin(it, this) }
@@ -157,8 +157,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [ask], which only asks and changes nothing. The calls in [ask] get the results recorded in this cycle, and do not count as the
-     * agent's calls. For the agent's thread.
+     * Calls [ask], which only reads, and changes nothing. The calls in [ask] get the results recorded in this cycle, and do not count as
+     * the agent's calls. For the agent's thread.
      */
     override fun <T> asking(ask: () -> T): T {
         val around = isAsking

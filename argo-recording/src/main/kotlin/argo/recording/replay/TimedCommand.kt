@@ -4,7 +4,7 @@ import argo.recording.Cycle
 import java.time.Duration
 
 /**
- * A command that a plan has sent, at its time.
+ * A command that a plan has sent, with its time.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
