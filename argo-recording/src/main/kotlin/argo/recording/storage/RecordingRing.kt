@@ -19,7 +19,7 @@ import kotlin.concurrent.withLock
  * If memory runs out, or if for another reason nothing more can be kept, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the most bytes of kept messages; beyond it the oldest messages are dropped before the time [last] is over
+ * @param maxBytes the most bytes of kept messages; beyond this number the oldest messages are dropped before the time [last] is over
  * @param warn takes one sentence for the user; the thread of the ring calls it
  */
 class RecordingRing(
@@ -91,7 +91,7 @@ class RecordingRing(
     }
 
     companion object {
-        /** The default of the most bytes of kept messages. */
+        /** The default for the most bytes of kept messages. */
         const val MAX_BYTES = 64L * 1024 * 1024
 
         private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)
