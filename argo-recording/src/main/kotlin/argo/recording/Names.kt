@@ -11,7 +11,7 @@ internal val FORMATS = setOf("1", FORMAT)
 
 internal fun agentMetadata(name: String) = "agent/$name"
 
-/** Returns the metadata's name for the file that [agent] included as number [number]. */
+/** Returns the name of the metadata about a file that [agent] has included. [number] counts these files from 1. */
 internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$number"
 
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
