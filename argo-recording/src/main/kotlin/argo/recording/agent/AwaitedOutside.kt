@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  */
 interface OfInfrastructure
 
-/** Lets internal actions [OfInfrastructure] wait for something outside of the agent, such as another computer's answer. */
+/** Lets internal actions that are [OfInfrastructure] wait for something outside of the agent, such as another computer's answer. */
 object AwaitedOutside {
     /** The error of a message to an agent that does not exist. Plans may also match Jason's own name for this error. */
     const val NO_AGENT = "no_agent"

@@ -55,9 +55,7 @@ internal object Counters {
         all.getOrNull(ofLabels)?.set(label - 1)
     }
 
-    /**
-     * Sets the counters to the [values] that [read] returned in another program. Older recordings of Jason 3.3.0 lack the counter of calls.
-     */
+    /** Sets the counters to the [values] that [read] returned in another run. Older recordings of Jason 3.3.0 lack the counter of calls. */
     fun write(values: List<Int>) {
         val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }
         written.zip(values).forEach { (counter, value) -> counter.set(value) }

@@ -10,7 +10,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Owns an agent's timers, and the work that other threads leave for it. Both run in the agent's cycles. */
+/** Owns an agent's timers, and the work that other threads leave for it. Timers and work run in the agent's cycles. */
 internal interface Keeper {
     /** Begins a timer of the agent, which does [work] after [delayNs]. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>

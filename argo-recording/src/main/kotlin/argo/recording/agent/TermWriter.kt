@@ -42,7 +42,7 @@ import kotlin.math.floor
  * | `#structure(f(1))`, `#pred(f)`, `#atom(f)` | terms that Java code has made; Jason does not believe them |
  * | `#"Upper Case"(1)` | a structure with a functor that is no word |
  * | `#string("a\\b")` | a string that Jason's syntax cannot hold |
- * | `_12`, `#var("_12",-12)` | a variable that Jason has numbered; one with another name or number |
+ * | `_12`, `#var("_12",-12)` | a variable that is named after its number; a variable with another name or number |
  * | `#set(a)`, `#map(a,1)` | a set, a map of keys and values |
  * | `#fun("math.max",1,2)` | a function that is not evaluated |
  * | `#plan(…)`, `#rule(…)`, `#body(…)`, `#event(…)` | parts of programs |
@@ -258,7 +258,7 @@ internal class TermWriter {
         private const val REFUSED = "#refused("
         private val VARIABLE = Regex("""\p{Lu}[\p{L}\p{N}_]*""")
 
-        /** Matches the name that Jason gives to a variable, with its number. */
+        /** Matches a name that Jason has made for a variable, and captures the variable's number. */
         val NUMBERED = Regex("""_([1-9]\d{0,9})(?!\d)[\p{L}\p{N}_]*""")
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")

@@ -220,7 +220,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must still be replaced by a watched form. Unknown code must be, so that no replay carries it out. */
+        /** Returns true if [code] must be replaced by a watched form. This includes unknown code, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) || code is OfInfrastructure -> true
