@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit
  * topic `/driver/percept/dist/front` when the number changes. If it changes several times within [LEAST_NS], only the last change counts.
  * For the thread that stores records.
  *
- * @param channel returns the channel of a topic for a schema with a name
+ * @param channel returns the channel for a topic and its schema
  * @param warn takes a sentence if there are more than [MAX_CHANNELS] topics
  */
 internal class PerceptNumbers(

@@ -56,9 +56,7 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
     return program
 }
 
-/**
- * Returns those [settings] that an infrastructure may change without an option, as an execution control does that makes agents wait for it.
- */
+/** Returns the [settings] that an infrastructure may change without an option: an execution control, for example, makes agents wait. */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
     "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",

@@ -84,7 +84,7 @@ internal class Recorder(
     @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
-    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of commands under way that a call in a cycle has sent
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of unfinished commands that calls have sent
 
     @Volatile
     private var inCycle: Thread? = null
