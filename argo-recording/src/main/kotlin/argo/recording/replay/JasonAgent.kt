@@ -73,7 +73,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source]. Jason's annotations and errors name [address] as its place; null: [source]. */
+/** Reads the program in the file [source]. Jason's annotations and errors name [address] as the program's address; null: [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, ProgramSource.nameOf(address)) }

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds recorded calls, and the ends of their operations, in [cycles]. They are the answers for an agent that may make other calls, or make
- * calls at other times.
+ * Finds recorded calls, and the ends of their operations, in [cycles]. The recorded calls answer an agent that may make other calls, or
+ * make its calls at other times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -63,7 +63,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** Returns the end of the timer [number] of the recorded step if it came at about [ns]. Returns each end once. */
+    /** Returns the end of the timer [number] of the recorded step if this end came at about [ns]. Returns each end once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 

@@ -42,7 +42,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
-/** Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations. */
+/** Gives an agent its recorded input, cycle by cycle. [answers] answers the agent's questions, and ends its operations. */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
     private var counters: List<Int> = emptyList() // counters after the agent's last cycle

@@ -35,7 +35,7 @@ data class CommandDifference(val recorded: TimedCommand?, val now: TimedCommand?
         require(recorded != null || now != null) { "one of both differs" }
     }
 
-    /** `other`, `missing`, `additional`, `earlier` or `later`. */
+    /** The kind of the difference: `other`, `missing`, `additional`, `earlier` or `later`. */
     val kind: String
         get() = when {
             recorded == null -> "additional"

@@ -17,7 +17,7 @@ import java.time.Duration
  *   time.
  * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
  *   question within a second. Without such an answer, the question is false. All other actions of `argo.` succeed.
- * - Chance and clocks give the recorded values in the order of the questions; when these are used up, they give other values.
+ * - Chance and clocks give the recorded values in the order of the questions; when the recorded values are used up, they give other values.
  * - A timer ends together with a recorded timer that ended at about the same time. Without such a timer, it ends at its own time.
  * - The project's own internal actions are carried out if [program] is given. Without [program], these actions have their recorded results.
  *
