@@ -30,7 +30,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      *
      * @param timeNs the time of the message, in ns since 1970, or on another clock that all messages share; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, which it reports itself
+     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports the gap itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
@@ -39,7 +39,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
      * @param beside makes further messages later, which follow this one
-     * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
+     * @param encode makes the JSON later, from objects that do not change; if [encode] or [beside] throws, the message becomes a gap
      */
     fun offer(
         channel: RecordChannel,

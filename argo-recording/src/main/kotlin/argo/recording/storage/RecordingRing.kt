@@ -13,8 +13,8 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps all attachments and metadata. In place of a
- * message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
+ * Keeps the last part of a recording in memory; [save] writes this part to a file. The ring keeps all attachments and metadata. In place of
+ * a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
  * If memory runs out, or if for another reason nothing more can be kept, [warn] is called once and all later records are refused.
  *
@@ -61,7 +61,7 @@ class RecordingRing(
 
     /**
      * Overwrites the file [path] with the kept records, and goes on keeping them. Waits for the disk, so the agent's thread must not call
-     * it.
+     * this.
      *
      * @throws java.io.IOException if the file cannot be written
      */

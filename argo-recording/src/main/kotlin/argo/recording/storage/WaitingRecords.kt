@@ -114,8 +114,8 @@ internal class WaitingRecords(
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if there are many, if a caller waits in [flush], or
-     * if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and empty.
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if many records wait, if a caller waits in [flush],
+     * or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
@@ -167,7 +167,7 @@ internal class WaitingRecords(
     }
 
     private companion object {
-        /** If more than one in this many parts of the room is taken, the writing thread begins early, and threads may have to rest. */
+        /** The room is divided by this number. If more than the result is taken, the writing thread begins early, and threads may rest. */
         const val MUCH_PART = 64
 
         /** Records that the writing thread has had for this long are late. */
