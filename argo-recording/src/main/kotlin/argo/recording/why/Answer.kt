@@ -72,7 +72,7 @@ data class Had(
  * The reasons for which a command was not issued.
  *
  * @property command the command in the words of the question
- * @property seconds the end of the searched time, since the first cycle
+ * @property seconds the end of the searched time, in seconds since the first cycle
  * @property plans the plans that would issue the command, in the order of the program
  */
 @Serializable

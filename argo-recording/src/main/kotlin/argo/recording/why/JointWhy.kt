@@ -19,7 +19,7 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     /** Explains the commands of the first recording. */
     val first: Why get() = whys.first().value
 
-    /** Adds the sendings of the messages at its root to the [answer] of [first]. */
+    /** Returns the [answer] that [first] has given, together with the sendings of the messages that led to the answer's root. */
     fun follow(answer: Answer): Answer = answer.copy(sent = sendings(0, answer.command.agent, answer.cause))
 
     private fun sendings(place: Int, agent: String, cause: Cause?): List<SentCause> {
