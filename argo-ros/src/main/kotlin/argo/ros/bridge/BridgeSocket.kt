@@ -32,7 +32,7 @@ internal interface BridgeListener {
     /** The bridge has given a sign of life. */
     fun isAlive()
 
-    /** The bridge has answered a [Bridge.ping], so it has read everything that was sent before the ping. */
+    /** The bridge has answered a [Bridge.ping], so the bridge has read everything that was sent before the ping. */
     fun answered() = isAlive()
 
     /** A message was dropped unread. [what] describes the message. */

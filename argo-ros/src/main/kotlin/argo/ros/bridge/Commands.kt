@@ -57,7 +57,7 @@ internal class Commands(
 
     private val pending = ConcurrentHashMap<String, Pending>()
     private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule, the goal that gave feedback last
-    private val session = "argo-${UUID.randomUUID()}" // each command's id begins so, which no id of another client does
+    private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which no other client uses
     private val number = AtomicLong()
 
     /** Returns the first messages to the bridge: they announce the topics of commands early, and subscribe to results. */
@@ -238,7 +238,7 @@ internal class Commands(
         }
     }
 
-    /** Returns the command of a published result or feedback of ROS 1, and the message. */
+    /** Returns the command to which a published result or feedback of ROS 1 belongs, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null

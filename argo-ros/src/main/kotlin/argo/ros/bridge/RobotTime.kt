@@ -84,7 +84,7 @@ internal class RobotTime(
 
     /**
      * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The result is never later than
-     * [nowNanos], when the message came. It is [nowNanos] if there is no stamp, and for a stamp of another clock, which is far ahead or
+     * [nowNanos], when the message came. The result is [nowNanos] if there is no stamp, or if the stamp is of another clock: far ahead, or
      * older than [MAX_AGE_NANOS].
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
