@@ -153,7 +153,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Makes the newest command of a topic replace its waiting commands. */
+        /** Lets the newest command of a topic replace the topic's waiting commands. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }
