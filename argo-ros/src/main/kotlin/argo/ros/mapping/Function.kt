@@ -52,7 +52,7 @@ private const val SHORTEST_SLIP = 4
 
 private fun ofNumber(work: (Double) -> Double): (List<Value>) -> Value? = { it.singleOrNull()?.number()?.let(work)?.let(Value::of) }
 
-/** Items of a list that were not measured are passed over. */
+/** Leaves out those items of a list that were not measured. */
 private fun ofNumbers(work: (List<Double>) -> Double?): (List<Value>) -> Value? = { arguments ->
     val numbers =
         if (arguments.size == 1) arguments[0].list()?.mapNotNull { Value.of(it).number() }

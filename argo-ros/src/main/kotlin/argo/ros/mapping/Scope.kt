@@ -33,7 +33,7 @@ internal class MessageScope(
     private fun constant(name: String): Value = constants[name]?.let(Value::of)
         ?: Value.None("there is no field $name, and no constant $name is known; rosapi describes constants")
 
-    /** Returns the part to which the steps of [path], from the step [index] on, lead within [at]. */
+    /** Begins at the part [at], follows the steps of [path] from [index] on, and returns the part at their end. */
     private fun part(at: JsonElement, path: Path, index: Int): Value {
         val step = path.getOrNull(index) ?: return Value.Part(at)
         val inner = when (step) {

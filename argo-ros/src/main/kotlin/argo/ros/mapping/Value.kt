@@ -83,7 +83,7 @@ private fun listOf(array: JsonArray): Value {
 /** Returns [message] as the list of its fields, each a literal with the field's name and value. */
 private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
 
-/** Returns the list of [items], each as the argument of its functor; an item with an empty functor is written without one. */
+/** Returns the list of [items], each as the argument of its functor; an item whose functor is empty is written without a functor. */
 private fun terms(items: List<Pair<JsonElement, String>>): Value {
     val terms = items.map { (item, functor) ->
         val value = Value.of(item)
