@@ -162,7 +162,7 @@ function showCritical(shown, since) {
   ));
 }
 
-/** Says how the agent uses a port, and how its board differs from others. */
+/** Says how the agent uses a port, and how the port's board differs from others. */
 function use(port, shown) {
   return joined(
     port.inUse ? 'in use' : port.perceived ? 'perceived' : 'not in use',

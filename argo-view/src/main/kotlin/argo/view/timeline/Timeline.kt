@@ -9,7 +9,7 @@ import java.time.Duration
 @Serializable
 internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
 
-/** [count] items too close together to be drawn. [id] is the first failure or, without a failure, the first item. */
+/** [count] items that are too close together to be drawn one by one. [id] is the first failure or, without a failure, the first item. */
 @Serializable
 internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
 
