@@ -170,8 +170,7 @@ internal class McapScan(private val input: McapInput) {
     }
 
     /**
-     * Reads the schemas and channels in [records]. If [records] has messages, adds the [MessagePart] that [partOf] makes for their range of
-     * times.
+     * Reads the schemas and channels in [records]. If [records] has messages, adds the part that [partOf] makes for their range of times.
      */
     private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
