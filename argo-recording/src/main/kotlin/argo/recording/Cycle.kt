@@ -307,7 +307,7 @@ data class ReflexEnd(
     val failure: CallFailure? = null,
 )
 
-/** The reason why the agent had the recording saved at this point. */
+/** The reason why the agent asked to save the recording at this point. */
 @Serializable
 internal data class Mark(
     @Holds("the argument of argo.record")
