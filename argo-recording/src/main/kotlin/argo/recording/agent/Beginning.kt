@@ -31,9 +31,7 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/**
- * Returns the belief recorded at [place]; null: there is none. [now] has the present texts, and [belief] is the present belief at [place].
- */
+/** Returns the belief recorded at [place]; null: there is none. [now] has the present texts, [belief] is the present belief there. */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief

@@ -54,7 +54,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record reload skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.reload argo.skew
-        """, // the lines after the first: ARGO's own actions, under all their names
+        """, // the lines after the first: ARGO's own actions, by other names
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()
