@@ -132,8 +132,8 @@ private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
 /**
- * Lets Jason [read] a program with these [settings], but without its server for showing agents. The server would show each block of a
- * program as an agent, too.
+ * Calls [read], in which Jason reads a program: with these [settings], but without its server for showing agents. The server would show
+ * each block of a program as an agent, too.
  */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()

@@ -55,7 +55,7 @@ class Recording(private val file: Path) : AutoCloseable {
      * A file that an agent has included, or has tried to include.
      *
      * @property within the file of the program that includes this file
-     * @property name the name of this file in its `include`
+     * @property name the name of this file in the directive `include`
      * @property address Jason's address of the included file
      * @property text the content of the included file; null: there was no such file
      */
