@@ -56,7 +56,7 @@ internal class Trace(
     var sent: Map<String, StepCause> = emptyMap()
         private set
 
-    /** The plan that the agent chose for the last event that was [taken]; null: none so far. */
+    /** The plan that the agent chose for the last event that [taken] got; null: none so far. */
     var chosen: PlanCause? = null
         private set
 
