@@ -60,7 +60,7 @@ internal class Commands(
     private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which no other client uses
     private val number = AtomicLong()
 
-    /** Returns the first messages to the bridge: they announce the topics of commands early, and subscribe to results. */
+    /** Returns the first messages to the bridge. They announce topics of commands in time for subscribers, and subscribe to results. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))

@@ -74,8 +74,7 @@ internal class RobotGraph(
 
     /**
      * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     * [lost] is called with the reason if the command's goal reaches no server. In ROS 2 that is never certain: this function then only
-     * warns.
+     * [lost] is called with the reason if the command's goal reaches no server. In ROS 2 that is uncertain, so this function only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
