@@ -73,7 +73,7 @@ internal data class AgentState(val name: String, val viewPort: Int?)
 /**
  * Whether the agent goes on.
  *
- * @property phase `running`, `making_safe` (its boards) or `paused`
+ * @property phase `running`, `making_safe` while its boards are made safe, or `paused`
  * @property words why the agent is paused, and the result of making its boards safe, in lines
  * @property intention the number of the intention in which the agent is paused; null: the agent is not paused within an intention
  */
