@@ -5,8 +5,8 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * The values of a message in plain CDR, version 1 of XCDR (OMG DDS-XTypes 1.3, 7.4.1), read from the beginning to the end. Functions throw
- * [BufferUnderflowException] if the message ends too early. For one thread.
+ * Reads the values of a message in plain CDR, which is version 1 of XCDR (OMG DDS-XTypes 1.3, 7.4.1), from the beginning to the end.
+ * Functions throw [BufferUnderflowException] if the message ends too early. For one thread.
  */
 internal class CdrInput(data: ByteArray) {
     private val bytes: ByteBuffer
@@ -19,7 +19,7 @@ internal class CdrInput(data: ByteArray) {
         bytes.order(if (form == LITTLE) ByteOrder.LITTLE_ENDIAN else ByteOrder.BIG_ENDIAN)
     }
 
-    /** Returns the bytes, at the place of the next value of [size] bytes: a multiple of [size] from the beginning. */
+    /** Moves to the next value of [size] bytes, whose offset is a multiple of [size], and returns the bytes. */
     fun at(size: Int): ByteBuffer {
         val place = (bytes.position() + size - 1) / size * size
         if (place > bytes.limit()) throw BufferUnderflowException()
@@ -40,7 +40,7 @@ internal class CdrInput(data: ByteArray) {
 
     fun bytes(length: Int): ByteArray = ByteArray(length).also(bytes::get)
 
-    /** Reads a text. A zero, which the length counts, is behind the text. */
+    /** Reads a text, which ends with a zero byte. The length counts this byte. */
     fun text(): String = bytes(length()).decodeToString().removeSuffix("\u0000")
 
     private companion object {

@@ -7,8 +7,8 @@ import java.nio.ByteOrder
  * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md) of independent blocks, without
  * checksums, since a chunk has its own checksum. For one thread.
  *
- * Other programs, such as those with the libraries in C++ and Python, write blocks that refer to earlier blocks. Of the libraries of Java,
- * lz4-java refuses such frames, and aircompressor, which unpacks Zstandard here, knows no frames.
+ * Programs that use MCAP's libraries in C++ or Python write blocks that refer to earlier blocks. Of Java's libraries, lz4-java refuses
+ * frames of such blocks. Aircompressor, which unpacks Zstandard here, reads no frames of LZ4.
  */
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)
@@ -49,7 +49,7 @@ internal class Lz4 {
         return block.sequence(data, literals, end, 0, 0)
     }
 
-    /** Writes the bytes of [data] from [from] up to [until] and, unless [offset] is 0, a match at that offset behind those bytes. */
+    /** Writes the bytes of [data] from [from] up to [until]. Then writes a match at [offset], unless [offset] is 0. */
     private fun RecordBytes.sequence(data: ByteArray, from: Int, until: Int, offset: Int, more: Int): RecordBytes {
         val literals = until - from
         u8((minOf(literals, NIBBLE) shl NIBBLE_BITS) or minOf(more, NIBBLE))

@@ -31,7 +31,7 @@ internal class McapInput(val path: Path) : AutoCloseable {
     override fun close() = file.close()
 
     companion object {
-        /** The longest readable record. Longer records are refused, so that a damaged length takes no memory. */
+        /** The longest readable record. Longer records are refused, so that a damaged length does not fill the memory. */
         const val MAX_RECORD_BYTES = 64L * 1024 * 1024
 
         private const val BLOCK_BYTES = 64L * 1024

@@ -52,7 +52,7 @@ class McapReader(path: Path) : Closeable {
      * Returns the messages in the order in which they were written.
      *
      * @param from the first log time in ns
-     * @param until the end of the log times in ns; a message with exactly this time is not returned
+     * @param until only messages with a log time before this one are returned, in ns
      * @param topics the channels' topics; null: all
      * @return a sequence that reads the file during the iteration, and throws [McapException] if the file has changed
      */

@@ -124,7 +124,7 @@ internal class McapScan(private val input: McapInput) {
             Op.SCHEMA -> schema(input.read(at, length))
             Op.CHANNEL -> channel(input.read(at, length))
             Op.MESSAGE -> {
-                // one wrong bit turns the record of an index into a message
+                // one wrong bit can turn the record of an index into a message
                 if (hasChunks) throw McapException("it is a message outside of chunks, or damage made it one")
                 val record = input.read(start, RECORD_HEAD_BYTES + length)
                 messages(record) { MessagePart(start, RECORD_HEAD_BYTES + length, Packed("", 0), it) }
@@ -170,7 +170,7 @@ internal class McapScan(private val input: McapInput) {
     }
 
     /**
-     * Reads the schemas and channels in [records]. If there are messages, adds the part that [partOf] makes for the range of their times.
+     * Reads the schemas and channels in [records]. If [records] has messages, adds the part that [partOf] makes for their range of times.
      */
     private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
@@ -230,7 +230,7 @@ internal class McapScan(private val input: McapInput) {
     private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
 
     private companion object {
-        /** A number of bytes that the name and the type of an attachment never exceed. */
+        /** The fields before an attachment's data, such as its name, are never longer than this. */
         const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
     }
 }

@@ -7,12 +7,12 @@ import java.util.zip.CRC32
  * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks compressed by LZ4, each with a checksum and an index, and a
  * summary at the end. A reader can read a cut-off file up to its last whole chunk.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink. After such an exception only parts that were whole before are
- * usable.
+ * For one thread. Each function throws the [java.io.IOException] of the sink. After such an exception only those parts of the file are
+ * usable that were whole before.
  *
  * @param sink receives the file from its first byte on; [close] closes it
  * @param library the name of the program that writes the file
- * @param chunkBytes the length at which a chunk ends without [flush]
+ * @param chunkBytes a chunk of this length ends without a call of [flush]
  */
 class McapWriter(
     private val sink: WritableByteChannel,
@@ -135,7 +135,7 @@ class McapWriter(
     }
 
     companion object {
-        /** The default length from which a chunk ends. */
+        /** The default length at which a chunk ends. */
         const val DEFAULT_CHUNK_BYTES = 256 * 1024
 
         private const val MAX_ID = 0xFFFF

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.zip.CRC32
 
-/** A growing buffer that writes values in MCAP's formats: little-endian numbers, and texts and maps behind their length. */
+/** A growing buffer that writes values in MCAP's formats: little-endian numbers, and texts and maps with their length in front. */
 internal class RecordBytes(capacity: Int = 256) {
     private var buffer = ByteBuffer.allocate(capacity).order(ByteOrder.LITTLE_ENDIAN)
 

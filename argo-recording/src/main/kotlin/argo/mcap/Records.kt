@@ -17,7 +17,7 @@ data class McapSchema(val id: Int, val name: String, val encoding: String, val t
  *
  * @property id the channel's number in the file
  * @property topic the channel's name, such as `/robot/cycle`
- * @property schema the schema of its messages; null: the file has none for it
+ * @property schema the schema of its messages; null: the file has no schema for the channel
  * @property messageEncoding `json` in the files of [McapWriter]
  * @property metadata further names and values of the channel
  */
@@ -60,7 +60,7 @@ class McapAttachment internal constructor(val name: String, val mediaType: Strin
     override fun toString() = "$name ($mediaType)"
 }
 
-/** Some values by their names, such as versions, under a common name. */
+/** Named values, such as versions, under a common name. */
 data class McapMetadata(val name: String, val values: Map<String, String>)
 
 /** A file cannot be read as MCAP, or contains something that this version cannot read. */

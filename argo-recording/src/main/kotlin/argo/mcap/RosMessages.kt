@@ -10,10 +10,10 @@ import java.nio.BufferUnderflowException
 import java.util.Base64
 
 /**
- * Reads messages of ROS 2 in a bag, which are in CDR, as the JSON that a rosbridge makes of them: `uint8[]` is text in base64, and a number
- * that is infinite or NaN is `null`. Immutable.
+ * Reads the messages of ROS 2 in a bag, which are in CDR. Returns them as the JSON that a rosbridge makes of them: `uint8[]` is text in
+ * base64, and a number that is infinite or NaN is `null`. Immutable.
  *
- * @property types the types of the messages and of the messages in them, the messages' own type first
+ * @property types the type of the messages, and then the types of the messages within them
  */
 class RosMessages private constructor(val types: List<RosType>) {
     private val own = types.first()
@@ -70,7 +70,7 @@ class RosMessages private constructor(val types: List<RosType>) {
     }
 
     companion object {
-        /** The most values of a message, `uint8[]` not counted, so that a damaged message takes no memory. */
+        /** The most values of a message, without those in `uint8[]`. The limit keeps a damaged message from filling the memory. */
         const val MAX_VALUES = 1_000_000
 
         private const val MAX_DEPTH = 50

@@ -3,7 +3,7 @@ package argo.mcap
 /**
  * The type of messages of ROS 2, as a bag describes it. Immutable.
  *
- * @property name the type without the `msg` between package and name, such as `sensor_msgs/Range`
+ * @property name the type's name without the `msg` between package and type, such as `sensor_msgs/Range`
  * @property constants the constants, with their values as text
  */
 class RosType internal constructor(val name: String, val fields: List<RosField>, val constants: Map<String, String>)

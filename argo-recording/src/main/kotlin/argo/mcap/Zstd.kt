@@ -2,7 +2,7 @@ package argo.mcap
 
 import io.airlift.compress.zstd.ZstdDecompressor
 
-/** Zstandard, in which bags have their chunks, and sometimes each message. */
+/** Zstandard, which compresses the chunks of bags, and sometimes each message. */
 internal object Zstd {
     /** The name of this compression in MCAP files. */
     const val NAME = "zstd"
@@ -13,7 +13,7 @@ internal object Zstd {
     fun isIn(data: ByteArray): Boolean = data.size >= MAGIC_NUMBER.size && data.copyOf(MAGIC_NUMBER.size).contentEquals(MAGIC_NUMBER)
 
     /**
-     * Returns the bytes in [frame], which tells their number.
+     * Returns the unpacked bytes of [frame], which states their number.
      * @throws McapException if [frame] is damaged, or is too long
      */
     fun decompress(frame: ByteArray): ByteArray {
@@ -23,7 +23,7 @@ internal object Zstd {
     }
 
     /**
-     * Returns the [length] bytes in [frame].
+     * Returns the [length] unpacked bytes of [frame].
      * @throws McapException if [frame] is damaged, or has another number of bytes
      */
     fun decompress(frame: ByteArray, length: Int): ByteArray {

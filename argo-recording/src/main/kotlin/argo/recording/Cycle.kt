@@ -113,7 +113,7 @@ data class Mail(
     val failure: String? = null,
 )
 
-/** An order of a person, or of the agent's last run. */
+/** An order to the agent, from a person or from the agent's last run. */
 @Serializable
 data class GivenOrder(
     @Holds("its kind: believe, forget, begin, drop or reload; of the agent's last run: resume or begin_anew")
@@ -253,7 +253,7 @@ data class Step(
     val text: String? = null,
 )
 
-/** A message of a board that the agent perceived. */
+/** A message that the agent perceived from a board. */
 @Serializable
 data class PerceivedSnapshot(
     @Holds("the port that it came from")
@@ -271,7 +271,7 @@ data class PerceivedSnapshot(
     val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
 
-/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: all texts. */
+/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: it held none back. */
 internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
     kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 
@@ -307,26 +307,26 @@ data class ReflexEnd(
     val failure: CallFailure? = null,
 )
 
-/** The agent's reason to save the recording at this place. */
+/** The reason why the agent asked to save the recording at this point. */
 @Serializable
 internal data class Mark(
     @Holds("the argument of argo.record")
     val why: String,
 )
 
-/** An agent's beliefs and events just after Jason read its program. Reading may draw numbers or read clocks. */
+/** An agent's beliefs and events just after Jason read its program. The program may draw numbers or read clocks while Jason reads it. */
 @Serializable
 data class Beginning(val beliefs: List<String>, val events: List<String>)
 
 /**
- * The agent of a recording, in its metadata.
+ * The description of the recorded agent in the metadata of a recording.
  *
- * @property source the name of the attachment with its program
+ * @property source the name of the attachment with the agent's program
  * @property options the agent's options in the `.mas2j`
- * @property isConditional whether Jason skipped parts of a cycle without work, as its Local infrastructure does
+ * @property isConditional whether Jason skipped those parts of a cycle that had no work, as its Local infrastructure does
  * @property address the address of the program in Jason's annotations and errors; null: not known
  * @property beginning the agent's beliefs and events at the beginning; null: not known
- * @property firstLabel the number that Jason gave to its first plan without a name; null: it has no such plan
+ * @property firstLabel the number that Jason gave to the agent's first plan without a name; null: the agent has no such plan
  * @property config Jason's settings for all agents
  */
 data class RecordedAgent(

@@ -21,7 +21,7 @@ import java.util.concurrent.ConcurrentHashMap
 @Target(AnnotationTarget.PROPERTY)
 annotation class Holds(val text: String)
 
-/** Each agent has channels of the same schemas. */
+/** The schemas made so far. The channels of all agents have the same schemas. */
 private val known = ConcurrentHashMap<SerialDescriptor, String>()
 
 /** Returns the JSON schema of values with [descriptor]. Any thread may call. */

@@ -1,6 +1,6 @@
 package argo.recording
 
-/** Returns this cycle in the form for a file, which states nothing twice. [whole] reverses this. */
+/** Returns this cycle in the form for a file, where nothing is stated twice. [whole] reverses the change. */
 internal fun Cycle.lean(): Cycle = copy(
     input = input.copy(percepts = input.percepts?.lean(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == course.plan) it.copy(plan = Place()) else it }),

@@ -6,12 +6,12 @@ import java.nio.file.Path
 /** The version of the content of agents' recordings. A reader refuses a newer version. */
 const val FORMAT = "2"
 
-/** The readable versions. Version 1 wrote terms in Jason's own notation. */
+/** The readable versions. Recordings of version 1 have terms in Jason's own notation. */
 internal val FORMATS = setOf("1", FORMAT)
 
 internal fun agentMetadata(name: String) = "agent/$name"
 
-/** Returns the metadata's name for the file that [agent] included as number [number]. */
+/** Returns the name of the metadata about a file that [agent] has included. [number] counts these files from 1. */
 internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$number"
 
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"

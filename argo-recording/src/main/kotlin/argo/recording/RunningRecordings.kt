@@ -3,7 +3,7 @@ package argo.recording
 import java.nio.file.Path
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** A recording in progress of an agent of this program. */
+/** A recording in progress, of one agent of this program. */
 interface RunningRecording {
     /** The agent's name. */
     val agent: String
@@ -12,10 +12,10 @@ interface RunningRecording {
     val trouble: String?
 
     /**
-     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. The
+     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after the call it may be deleted. The
      * function waits for the disk, so the agent's thread must not call it.
      *
-     * @throws java.io.IOException if there is no file with the recording, or it cannot be written
+     * @throws java.io.IOException if there is no file with the recording, or the file cannot be written
      */
     fun <T> read(use: (Path) -> T): T
 }

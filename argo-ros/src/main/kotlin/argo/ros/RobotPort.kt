@@ -15,14 +15,14 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import java.util.concurrent.ForkJoinPool
 
-/** A robot, or a bag that replaces it, by the name of a port. [mapping] is the name of its mapping. */
+/** The robot that the name of a port means, or a bag that replaces the robot. [mapping] is the name of the robot's mapping. */
 internal class RobotPort private constructor(val mapping: String, val connect: (BridgeListener, LineClock) -> Bridge) {
     companion object {
         private const val ENDINGS = "mcap|db3|bag|zstd"
         private val BAG = Regex("replay:(.+\\.(?:$ENDINGS)|[^#]+)(?:#.*)?")
         private val ENDED = Regex(".*\\.(?:$ENDINGS)")
 
-        /** Returns true if [port] names a bag, also one that cannot be read here. */
+        /** Returns true if [port] names a bag, even a bag that cannot be read here. */
         fun isBag(port: String) = fileIn(port) != null
 
         private fun fileIn(port: String) = BAG.matchEntire(port)?.groupValues?.get(1)
@@ -41,7 +41,7 @@ internal class RobotPort private constructor(val mapping: String, val connect: (
             BridgeSocket.connect(port, address.socket, listener, findCredentials(address.mapping))
         }
 
-        /** @throws javino.PortException if [file] is no bag that can be read */
+        /** @throws javino.PortException if [file] cannot be read as a bag */
         fun bagIn(port: String, file: String): Bag {
             val path = pathOf(file) ?: throw NoSuchPortException(port, "there is no bag $file in ${Path.of("").toAbsolutePath()}")
             if (Files.isDirectory(path)) throw NoSuchPortException(port, "$file is a folder; the bag is the file in it that ends in .mcap")

@@ -5,7 +5,7 @@ import java.net.URI
 import java.net.URISyntaxException
 
 /**
- * The address of a bridge with the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`; with encryption
+ * The address of a bridge, and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`; with encryption
  * `wss://robot.example/rosbridge#left`. [mapping] is the name of the mapping; `robot` unless a name follows `#`.
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {

@@ -70,7 +70,7 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    // guarded by the lock, like the fields below that are not volatile
+    // guarded by the lock, like the fields below it that are not volatile
     private val poses = mapping.poses.distinctBy { it.topic } // several rules may be about one pose
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
@@ -107,7 +107,7 @@ internal class RosLink private constructor(
         }
 
         override fun isAlive() {
-            aliveNanos = clock.nanos() // a thread that waits looks at this when its time is over, so it is not woken
+            aliveNanos = clock.nanos() // a waiting thread reads this when its time is over, so it need not be woken
         }
 
         override fun told(sentence: String, isTrouble: Boolean) = if (isTrouble) warn(sentence) else tell(sentence)
@@ -190,7 +190,7 @@ internal class RosLink private constructor(
         return lock.withLock { next(timeoutMs) }
     }
 
-    /** Looks for the reasons why topics have said nothing since they were subscribed to. */
+    /** Looks for the reasons why topics have been silent since they were subscribed to. */
     fun explainSilence() = explain(
         lock.withLock {
             frames.explain()
@@ -220,7 +220,7 @@ internal class RosLink private constructor(
     }
 
     /**
-     * Ends a wait since [startNanos] without any message. Returns the held percepts if there are no subscriptions; null if there are some.
+     * Ends a wait in which no message has come since [startNanos]. Without subscriptions, returns the percepts that hold; otherwise null.
      * Throws a [PortTimeoutException] if the bridge has given no sign of life during the wait.
      */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
@@ -265,7 +265,7 @@ internal class RosLink private constructor(
 
     private fun tell(message: String) = log(Level.INFO, "port $port: $message")
 
-    /** Ends the link. The connection is closed when [farewell] has left, or soon after. */
+    /** Ends the link. Closes the connection when [farewell] has left, or after [FAREWELL_NANOS]. */
     private fun gone(reason: String, farewell: List<Outgoing> = emptyList()) {
         lock.withLock {
             if (end != null) return
@@ -289,8 +289,8 @@ internal class RosLink private constructor(
         private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
         /**
-         * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against their types as far as the bridge
-         * knows them. [log] takes messages to the user, on several threads.
+         * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against their types, as far as the bridge
+         * knows the types. [log] takes messages to the user, on several threads.
          *
          * @throws PortException if there is no bridge, or a field does not exist
          */

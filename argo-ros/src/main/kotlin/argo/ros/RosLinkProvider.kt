@@ -47,12 +47,12 @@ open class RosLinkProvider : BoardLinkProvider {
     }
 }
 
-/** Opens `wss://host/path`: the same, over an encrypted connection. */
+/** Opens `wss://host/path`: a ROS robot behind a bridge, over an encrypted connection. */
 class EncryptedRosLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "wss"
 }
 
-/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, by the mapping of the robot. */
+/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, with the robot's mapping. */
 class BagLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "replay"
 

@@ -26,7 +26,7 @@ internal class Broadcast {
     /**
      * Serves a page on the calling thread: calls [begin], then [send] with each new state up to the last one, then [end]. After
      * [HEARTBEAT_NANOS] ns without a state it calls [send] with null, which fails if the connection is closed. The page counts as open
-     * until [end] has returned; then the port may be closed.
+     * until [end] has returned; only then may the port be closed.
      */
     fun serve(begin: () -> Unit, send: (String?) -> Unit, end: () -> Unit) {
         var number = lock.withLock {

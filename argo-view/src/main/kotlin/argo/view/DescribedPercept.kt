@@ -7,7 +7,7 @@ import kotlinx.serialization.Serializable
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * A percept in the light of its board's description.
+ * A percept, compared with its board's description of percepts.
  * @property text the percept with its units
  * @property deviation the reason why the percept is not as described; null: it is as described
  * @property ranges the range of each of its numbers, in order; null: no range is described
@@ -15,7 +15,7 @@ import kotlin.jvm.optionals.getOrNull
 @Serializable
 internal data class DescribedPercept(val text: String, val deviation: String?, val ranges: List<NumberRange?>) {
     companion object {
-        /** Describes [percept] by [kinds], at least one. */
+        /** Compares [percept] with [kinds], which has at least one kind. */
         fun of(percept: String, kinds: List<PerceptKind>): DescribedPercept {
             val term = PerceptTerm.of(percept)
             val kind = PerceptKind.of(term, kinds).getOrNull()

@@ -28,7 +28,7 @@ internal class HandRoutes(private val agent: ObservedAgent, private val breakpoi
 
     private fun reload() = Route.awaited { answer -> agent.reload { answer(response(it, "nothing has changed")) } }
 
-    /** Responds with what [outcome] tells; with [done] if it tells nothing. */
+    /** Returns a response with the text of [outcome], or with [done] if [outcome] has no text. */
     private fun response(outcome: Outcome, done: String): HttpResponse = outcome.refusal?.let { HttpResponse.message(422, it) }
         ?: HttpResponse.message(200, outcome.told.joinToString("\n").ifEmpty { done })
 

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * While somebody watches, looks into an agent's mind: on the agent's thread, between two cycles, at most ten times a second.
+ * While a page is open, reads an agent's mind: on the agent's thread, between two cycles, at most ten times a second.
  * @param read returns the mind; called only by the agent's thread
  * @param nanos a clock in ns that never goes back
  */
@@ -16,7 +16,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
             field = value
         }
 
-    /** The last look; null: there was none yet. */
+    /** The result of the last look; null: there was none yet. */
     @Volatile
     var newest: Seen? = null
         private set
@@ -28,7 +28,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
     private var lookedNanos: Long? = null
     private var hasFailed = false
 
-    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread, between two cycles or while paused. */
+    /** Looks if a page is open and the last look is old enough. Called by the agent's thread, between two cycles or while paused. */
     fun look() {
         if (!isWatched) return
         if (isTooEarly()) {
@@ -40,7 +40,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
         }
     }
 
-    /** Returns true if a look is due now that came too early at the end of the last cycle. The agent may be asleep since then. */
+    /** Returns true if a look was too early at the end of the last cycle, and is due now. The agent may be asleep since then. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true

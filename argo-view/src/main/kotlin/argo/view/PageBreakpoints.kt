@@ -5,7 +5,7 @@ import kotlinx.serialization.Serializable
 
 /** The breakpoints that the pages of [agent] have set. Safe for use by several threads. */
 internal class PageBreakpoints(private val agent: ObservedAgent) {
-    /** The lines, and those that a reload has taken away. */
+    /** The lines with breakpoints, and those that had one before a reload took the line away. */
     val all: List<BreakpointState>
         get() = agent.pausing.breakpoints(this).map { BreakpointState(it.file, it.line ?: it.wanted, it.refusal) }
             .distinct().sortedWith(compareBy({ it.file }, { it.line }))
@@ -33,6 +33,6 @@ internal class PageBreakpoints(private val agent: ObservedAgent) {
     }
 }
 
-/** A line at which the agent stops; [lost] is the reason why it stops there no more. */
+/** A line at which the agent stops; [lost] is the reason why the agent no longer stops there. */
 @Serializable
 internal data class BreakpointState(val file: String, val line: Int, val lost: String? = null)

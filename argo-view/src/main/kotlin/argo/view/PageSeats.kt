@@ -2,7 +2,7 @@ package argo.view
 
 import java.util.concurrent.Semaphore
 
-/** Limits how many pages, of all agents together, watch at once. Any thread may call it. */
+/** Limits the number of open pages of all agents together. Any thread may call it. */
 internal class PageSeats {
     private val free = Semaphore(MAX_PAGES)
 

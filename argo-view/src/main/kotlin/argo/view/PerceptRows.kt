@@ -93,7 +93,7 @@ internal class PerceptRows {
     }
 
     companion object {
-        /** Ns for which a sensor without a new percept is shown. */
+        /** The time in ns for which a sensor without a new percept is shown. */
         val FORGOTTEN_NANOS: Long = TimeUnit.SECONDS.toNanos(10)
         private const val MAX_ROWS = 200
         private const val MAX_COURSES = 60

@@ -41,7 +41,7 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interrupt of a wait that is over
     }
 
-    /** Ends waits that are longer than [MAX_WAIT_NANOS], or than a tenth of it if requests are queued, and closes their connections. */
+    /** Ends each wait of more than [MAX_WAIT_NANOS], or of a tenth of this if requests are queued, and closes the client's connection. */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }

@@ -48,7 +48,7 @@ internal class StateComposer(
         agent.criticalRules() != shownRules || tabs() != shownTabs || agent.computers != shownComputers ||
         agent.pausing.state != shownPause || breakpoints.all != shownBreakpoints
 
-    /** Takes in the last message of each board while nobody watches: the courses of numbers then have no gap. */
+    /** Takes in the last message of each board while no page is open, so that the courses of numbers have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
 
     private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {

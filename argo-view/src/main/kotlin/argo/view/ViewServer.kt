@@ -6,9 +6,9 @@ import java.net.URI
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Serves the views of agents to browsers on this computer. The constructor takes the port. Call [start] on a daemon thread: only then is
+ * Serves the views of agents to browsers on this computer. The constructor opens the port. Call [start] on a daemon thread: only then is
  * the server's own thread a daemon.
- * @param name begins the threads' names
+ * @param name the beginning of the threads' names
  * @param port 0 to 65535; 0: any free port
  * @param nanos a clock in ns that never goes back
  * @throws IOException if the port cannot be opened

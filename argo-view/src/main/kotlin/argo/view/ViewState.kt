@@ -6,7 +6,7 @@ import kotlinx.serialization.Serializable
  * The content of a page at one moment. Times are ages in ms. Long lists are cut; the state then has the number of left-out entries.
  *
  * @property intervalMs the sensing interval of boards without their own
- * @property skewMs the time between the oldest and the newest reading of the boards; null: the agent perceives fewer than two
+ * @property skewMs the time between the oldest and the newest reading of the boards; null: the agent perceives fewer than two boards
  * @property printed the agent's printed lines, the latest first
  * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
  * @property moreCritical the number of critical rules left out of [critical]
@@ -73,9 +73,9 @@ internal data class AgentState(val name: String, val viewPort: Int?)
 /**
  * Whether the agent goes on.
  *
- * @property phase `running`, `making_safe` (its boards) or `paused`
+ * @property phase `running`, `making_safe` while its boards are made safe, or `paused`
  * @property words why the agent is paused, and the result of making its boards safe, in lines
- * @property intention the number of the intention in which it is paused; null: it is paused in none
+ * @property intention the number of the intention in which the agent is paused; null: the agent is not paused within an intention
  */
 @Serializable
 internal data class PauseState(val phase: String, val words: String, val intention: Int?)
@@ -156,7 +156,7 @@ internal data class SensorState(
  * @property silent whether the board is silent
  * @property ageMs the time since the percept last came
  * @property sameMs the time since the percept last changed
- * @property described the percept in the light of the board's description; null: the board describes none
+ * @property described the percept, compared with the board's description; null: the board describes no percepts
  */
 @Serializable
 internal data class PerceptState(

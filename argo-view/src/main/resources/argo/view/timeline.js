@@ -1,6 +1,6 @@
 'use strict';
-// The timeline of a recording, or of the last minutes of a running agent. The server sends the part in view. A lane with too many items for
-// the screen comes as heaps.
+// The timeline of a recording, or of the last minutes of a running agent. The server sends the part in view. It sends heaps of items for a
+// lane with too many items for the screen.
 
 const $ = id => document.getElementById(id);
 const LANES = ['LINE', 'PERCEPTS', 'EVENTS', 'INTENTIONS', 'COMMANDS', 'PRINTED'];
@@ -53,7 +53,7 @@ async function load() {
   }
 }
 
-/** Names the timeline in a request: a running agent's timeline is replaced when a page asks anew. */
+/** Adds the timeline's number to a request, since a running agent's timeline is replaced when a page asks anew. */
 const ofNumber = () => `&of=${recording.number}`;
 
 const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
@@ -107,7 +107,7 @@ function tell() {
 
 let whyAsked = 0; // counts questions: only the answer to the last one is shown
 
-/** Shows a sentence of the tool why, indented by two blanks for each cause before it. */
+/** Makes a line for a sentence of the tool `why`. The sentence begins with two blanks for each cause before it. */
 function sentence(words) {
   const depth = (words.length - words.trimStart().length) / 2;
   const made = line(words.trimStart());
@@ -211,7 +211,7 @@ function drawFrame(pen, colour, agent, place, width) {
   }
 }
 
-/** Sets the colour of an item; it is dimmed while another item is chosen. */
+/** Sets the colour of an item. The item is dimmed while another item is chosen. */
 function paint(pen, colour, id, isBad) {
   const isLit = lit.has(id);
   pen.globalAlpha = lit.size && !isLit ? 0.25 : 1;
@@ -242,7 +242,7 @@ function drawPart(pen, colour, part, width) {
   pen.globalAlpha = 1;
 }
 
-/** Writes the text of an item behind it, if there is room before the next item. */
+/** Writes an item's text to the right of the item, if there is room before the next item. */
 function drawTexts(pen, colour, items, top, tall, width) {
   pen.font = '12px system-ui, sans-serif';
   items.forEach((item, place) => {
@@ -282,7 +282,7 @@ function drawLinks(pen, colour) {
 
 // --- moving ---
 
-/** Shows from [newFrom] to [newUntil], as far as the recording goes. */
+/** Shows the part from [newFrom] to [newUntil], as far as the recording goes. */
 function see(newFrom, newUntil) {
   const whole = Math.max(recording.seconds, 0.01);
   const span = Math.min(Math.max(newUntil - newFrom, LEAST_SPAN), whole * 1.02);
@@ -395,7 +395,7 @@ async function chooseAsked() {
   await askWhy();
 }
 
-/** Loads the recording; of a running agent, its present state. */
+/** Loads the recording; for a running agent, the present state of the recording. */
 async function open() {
   $('now').disabled = true;
   try {

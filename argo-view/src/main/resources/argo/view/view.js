@@ -162,7 +162,7 @@ function showCritical(shown, since) {
   ));
 }
 
-/** Says how the agent uses a port, and how its board differs from others. */
+/** Says how the agent uses a port, and how the port's board differs from others. */
 function use(port, shown) {
   return joined(
     port.inUse ? 'in use' : port.perceived ? 'perceived' : 'not in use',
@@ -245,14 +245,14 @@ function showBeliefs(shown) {
   const sorted = all.sort((a, b) => inOrder(order(a), order(b)));
   text($('beliefs-count'), all.length < beliefs.length ? `${all.length} of ${total}` : total ? `${total}` : '');
   text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown, and not searched.` : '');
-  const keyed = sorted.map((belief, i) => [belief.whole ?? String(i), belief]); // a row that can be pressed stands for one belief
+  const keyed = sorted.map((belief, i) => [belief.whole ?? String(i), belief]); // a row with a button is for one belief
   rows($('beliefs'), keyed, ([key]) => key, () => actingRow('forget'), (line, [, belief]) => {
     fill(line, belief.text, sourcesOf(belief), belief.sources.includes('percept') ? 'good' : '');
     showAct(line, belief.whole, `forget ${belief.text}`, 'The agent no longer believes this');
   }, shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
-/** Makes a row with a button [verb] that asks the agent for [path]; [name] is the text that the row stands for. */
+/** Makes a row with the button [verb], which sends the row's text to [path] under the field name [name]. */
 function actingRow(verb, path = verb, name = 'text', more = {}) {
   const made = row();
   const act = button('act', async () => {
@@ -265,7 +265,7 @@ function actingRow(verb, path = verb, name = 'text', more = {}) {
   return made;
 }
 
-/** Makes the button of [line] stand for [words]; without words there is no button. */
+/** Gives the button of [line] the text [words]; hides the button if there are no words. */
 function showAct(line, words, name, title) {
   const act = line.children[4];
   act.hidden = !words;

@@ -10,20 +10,20 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One of Jason's internal actions, as an infrastructure carries it out: a direct subclass of Jason's class that can be made without
- * arguments. A recording has the action's calls under Jason's name. The intention may wait for other computers, by [AwaitedOutside].
+ * An infrastructure's version of one of Jason's internal actions: a direct subclass of Jason's class, with a constructor without arguments.
+ * A recording has the action's calls under Jason's name for it. By [AwaitedOutside] its intention may wait for other computers.
  */
 interface OfInfrastructure
 
-/** Lets internal actions [OfInfrastructure] wait for something outside of the agent, such as another computer's answer. */
+/** Lets internal actions that are [OfInfrastructure] wait for something outside of the agent, such as another computer's answer. */
 object AwaitedOutside {
     /** The error of a message to an agent that does not exist. Plans may also match Jason's own name for this error. */
     const val NO_AGENT = "no_agent"
     private const val NO_RECEIVER = "receiver_not_found"
 
     /**
-     * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action itself has
-     * suspended the intention, as a question does, only a failure ends the wait.
+     * Suspends the intention whose internal action is being carried out. Call this on the thread of the agent of [ts]. If the action itself
+     * has suspended the intention, as a question does, the returned function ends the wait only with a failure.
      *
      * @return a function that ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the
      * first call counts. A recording of the agent contains the end of the wait
@@ -40,7 +40,7 @@ object AwaitedOutside {
         return { failed -> if (!hasEnded.getAndSet(true)) end(failed?.let { RecordedFailure(callFailure(it)) }, null) }
     }
 
-    /** Returns the exception that fails a plan with `error(…)` for the text [error], and with [message] for the user. */
+    /** Returns the exception that makes a plan fail with the annotation `error(…)` around [error], and with [message] for the user. */
     fun exceptionOf(error: String, message: String): JasonException {
         val failed = JasonException(message, if (error.isEmpty()) null else termOf(error))
         if (error == NO_AGENT) failed.addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom(NO_RECEIVER)))
@@ -49,11 +49,11 @@ object AwaitedOutside {
 
     private fun exceptionOf(failure: CommandFailure) = exceptionOf(failure.error, failure.cause)
 
-    /** Gives access to Jason's way to suspend an intention. */
+    /** Gives access to Jason's functions that suspend an intention. */
     private object Suspension : ConcurrentInternalAction() {
         override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
     }
 }
 
-/** Returns the exception behind this recorded failure. */
+/** Returns an exception for this recorded failure. */
 internal fun CallFailure.exception(): JasonException = AwaitedOutside.exceptionOf(error, message)

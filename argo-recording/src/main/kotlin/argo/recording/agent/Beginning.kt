@@ -14,8 +14,8 @@ internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. They differ from the program's own
- * beliefs and events if the program draws a number or reads a clock.
+ * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. The recorded ones differ from the
+ * program's own if the program draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
@@ -31,7 +31,7 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/** Returns the belief recorded at [place]; null: there is none. [now] are the program's beliefs, of which [belief] stands at that place. */
+/** Returns the belief recorded at [place]; null: there is none. [now] has the present texts, [belief] is the present belief there. */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief

@@ -50,11 +50,11 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
 
 /** An action whose outcome goes to [ended] and not to Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this when it has an outcome. The result null makes Jason ignore the outcome. */
+    /** Jason calls this when the action has an outcome. The result null makes Jason ignore the outcome. */
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** Returns the arguments of [call] that have variables, as texts with the variables' values in [un], by their places. */
+/** Returns the texts of those arguments of [call] that have variables, by their indexes. [un] contains the variables' values. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
     if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }

@@ -6,8 +6,8 @@ import jason.asSyntax.Plan
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Jason's counters for all agents of a program: the numbers of variables, intentions, messages, suspended calls, `.at` and plans without a
- * name. A replay restores these counters, since names contain the numbers, and the order of Jason's maps depends on names.
+ * Jason's counters for all agents of a program: the numbers of variables, intentions, messages, suspended calls, calls of `.at`, and plans
+ * without a name. A replay restores these counters, since names contain the numbers, and the order of Jason's maps depends on names.
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
@@ -19,8 +19,8 @@ internal object Counters {
     private val ofMessages = known.indexOf(Insides.messageCounter)
 
     /**
-     * Returns the counters before this agent's own draws in a cycle that began with the counters at [start]. Other agents may have drawn in
-     * between.
+     * Returns the counters as they were before this agent took its own numbers in a cycle. At the cycle's beginning the counters were at
+     * [start]; other agents may have taken numbers since.
      *
      * @param intention the number of the agent's first new intention; null: it has none
      * @param message the name of the first message that it sent; null: it sent none
@@ -44,10 +44,10 @@ internal object Counters {
 
     fun read(): List<Int> = all.map { it.get() }
 
-    /** Returns true if the counters stand at the [values] that [read] returned. */
+    /** Returns true if the counters are still at the [values] that [read] returned. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
-    /** Returns the lowest number in Jason's names of [plans]; null: Jason has named none of them. */
+    /** Returns the lowest number in the names that Jason gave to [plans]; null: Jason has named none of them. */
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 
@@ -55,9 +55,7 @@ internal object Counters {
         all.getOrNull(ofLabels)?.set(label - 1)
     }
 
-    /**
-     * Sets the counters to the [values] that [read] returned in another program. Older recordings of Jason 3.3.0 lack the counter of calls.
-     */
+    /** Sets the counters to the [values] that [read] returned in another run. Older recordings of Jason 3.3.0 lack the counter of calls. */
     fun write(values: List<Int>) {
         val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }
         written.zip(values).forEach { (counter, value) -> counter.set(value) }

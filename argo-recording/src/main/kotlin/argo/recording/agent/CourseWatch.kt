@@ -125,13 +125,13 @@ internal class StepNote(private val intention: Int, private val depth: Int, priv
     fun step() = Step(intention, depth, plan, line, text?.invoke())
 }
 
-/** Returns the present text of this event's trigger. The literal of a belief is the belief itself, and its annotations may change later. */
+/** Returns a function for the present text of this trigger. Its literal may be the belief itself, whose annotations may change. */
 internal fun Event.triggerNow(): () -> String {
     val now = trigger.run { Trigger(operator, type, literal.copy()) }
     return laterText(listOf(now.literal)) { "$now" }
 }
 
-/** Returns the present text of this action. The environment gets the action and may change it. */
+/** Returns a function for the present text of this action. The environment gets the action and may change it. */
 internal fun ActionExec.termNow(): () -> String {
     val now = actionTerm.copy()
     return laterText(listOf(now)) { "$now" }

@@ -27,7 +27,7 @@ internal fun given(order: Order): GivenOrder = when (order) {
 }
 
 /**
- * Returns the order that was [given].
+ * Returns the order that the recorded order [given] describes.
  * @throws IllegalArgumentException if this version of ARGO has no such order
  */
 internal fun orderOf(given: GivenOrder): Order = when (given.kind) {

@@ -8,8 +8,8 @@ internal enum class Nature {
     PURE,
 
     /**
-     * The action's messages pass the [argo.boundary.Boundary], and in a fleet its intention waits until they have arrived. A replay carries
-     * the action out again, and makes the intention wait as it waited in the recording.
+     * The action's messages pass the [argo.boundary.Boundary], and in a fleet its intention waits until the messages have arrived. A replay
+     * carries the action out again, and makes the intention wait as it waited in the recording.
      */
     SENDING,
 
@@ -54,7 +54,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record reload skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.reload argo.skew
-        """, // from the second line on: other names of ARGO's own actions
+        """, // the lines after the first: ARGO's own actions, by other names
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()

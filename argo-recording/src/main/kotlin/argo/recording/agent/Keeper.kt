@@ -10,9 +10,9 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Owns an agent's timers, and the work that other threads leave for it. Both run in the agent's cycles. */
+/** Owns an agent's timers, and the work that other threads leave for it. Timers and work run in the agent's cycles. */
 internal interface Keeper {
-    /** Begins the agent's timer, which does [work] [delayNs] from now. [schedule] makes the scheduler call its argument at that time. */
+    /** Begins a timer of the agent, which does [work] after [delayNs]. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
     /** Takes [work] that another thread or the project's code leaves for the beginning of the agent's next cycle. Any thread may call. */
@@ -27,14 +27,14 @@ internal interface Keeper {
             set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
 
         /**
-         * Begins a cycle of the agent of [ts]. If the agent does not perceive in this cycle, [keeper] becomes the [current] one at once.
+         * Begins a cycle of the agent of [ts]. If the agent does not perceive in this cycle, [keeper] becomes the [current] keeper at once.
          */
         fun begin(keeper: Keeper, ts: TransitionSystem) {
             val every = ts.settings.nrcbp()
             if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
-        /** Does [work] with [keeper] as the [current] one, before the agent senses in a cycle. */
+        /** Does [work] with [keeper] as the [current] keeper. Call this before the agent senses in a cycle. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
             val around = current
             current = keeper
@@ -68,7 +68,7 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
 }
 
 /**
- * Replaces Jason's scheduler. Passes the timers that an agent begins in its cycle to the agent's [Keeper], and all others to Jason's
+ * Replaces Jason's scheduler. Passes the timers that an agent begins in its cycle to the agent's [Keeper], and all other timers to Jason's
  * scheduler.
  */
 internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {

@@ -74,7 +74,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // elements of all arrays so far
-    private var replacement: Class<*>? = null // the class that last stood in for a reference; the filter sees it too
+    private var replacement: Class<*>? = null // the class of the object that last replaced a reference; the filter sees it too
 
     init {
         enableResolveObject(true)
@@ -92,7 +92,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
 
     /**
      * Returns the reason to refuse an object; null: it is allowed. A stranger may have made the recording. So only terms and intentions are
-     * allowed, and no more than the bytes can describe.
+     * allowed, and no more of them than the bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"
@@ -119,10 +119,10 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
 
 internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
-/** The deepest nesting of objects. Each element of a list stands within the element before it. */
+/** The deepest nesting of objects. Each element of one of Jason's lists is nested within the element before it. */
 private const val MAX_DEPTH = 10_000L
 
-/** The most array elements for each byte. A hash table has up to eight places for each entry. */
+/** The most array elements for each byte. A hash table has up to eight slots for each entry. */
 private const val MAX_ELEMENTS_OF_BYTE = 16
 
 private val OWN = setOf(
@@ -138,13 +138,13 @@ private val ALLOWED_OF_JAVA = setOf(
     "java.lang.Double", "java.lang.Boolean", "java.lang.Number", "java.lang.Enum", "java.lang.Object",
 )
 
-/** Returns true if objects of [type] may stand in a recording: terms, and parts of intentions. */
+/** Returns true if objects of [type] may occur in a recording: terms, and parts of intentions. */
 private fun isAllowed(type: Class<*>): Boolean = when {
     type.isPrimitive -> true
     type.isArray -> isAllowed(type.componentType)
     type in OWN || type.name in ALLOWED_OF_JAVA -> true
     type.name.startsWith("jason.stdlib.fork$") -> true
-    CODE.any { it.isAssignableFrom(type) } -> false // code occurs there only as a reference
+    CODE.any { it.isAssignableFrom(type) } -> false // a recording has only references to code
     else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
 

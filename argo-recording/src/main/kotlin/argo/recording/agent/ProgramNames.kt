@@ -9,10 +9,7 @@ import jason.asSyntax.parser.as2jConstants
 import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
-/**
- * The names of files, classes and directives in the [text] of a program. Reads the text by Jason's own tokens without executing any part of
- * it.
- */
+/** The names of files, classes and directives in the [text] of a program. Splits the text into Jason's own tokens. Executes none of it. */
 internal class ProgramNames(text: String) {
     /** A file that a program includes, by its name in the text. For a file in a block `{ begin … }` Jason looks only in the source path. */
     data class Included(val name: String, val isInBlock: Boolean)
@@ -29,8 +26,8 @@ internal class ProgramNames(text: String) {
     }
 
     /**
-     * The classes of functions and actions that Jason may instantiate when it reads the text. In blocks Jason instantiates them without
-     * asking the agent.
+     * The classes of functions and actions that Jason may instantiate when it reads the text. In blocks `{ begin … }` Jason instantiates
+     * them without asking the agent.
      */
     val classes: Set<String> = tokens.indices.mapNotNullTo(LinkedHashSet()) { at ->
         argumentOf("register_function", at)

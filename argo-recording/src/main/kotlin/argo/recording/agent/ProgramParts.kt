@@ -8,8 +8,8 @@ import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
 /**
- * Numbers the plans, steps and rules in the program of [agent]. The same program always gives the same numbers. Make it before the agent's
- * first cycle, since the agent may get other plans and rules.
+ * Numbers the plans, steps and rules in the program of [agent]. The same program always gives the same numbers. Make this object before the
+ * agent's first cycle, since the agent may get other plans and rules later.
  */
 internal class ProgramParts(val agent: Agent) {
     private val numbers = IdentityHashMap<Any, Int>()

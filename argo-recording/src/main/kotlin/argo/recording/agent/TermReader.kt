@@ -33,8 +33,8 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters. [agent] is the agent whose functions the text
- * may name; null: only Jason's own functions.
+ * Reads the term that [TermWriter] wrote as [text]. Leaves Jason's counters unchanged. [agent] is the agent whose functions the text may
+ * name; null: only Jason's own functions.
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
     /** The text does not come from [TermWriter]. */
@@ -242,7 +242,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return literal
     }
 
-    /** Adds the annotations in their written order. Jason would sort annotations, and cannot compare terms of every kind. */
+    /** Adds the annotations in their written order. Jason would sort annotations, but it cannot compare terms of every kind. */
     private fun annotate(literal: Literal) {
         if (peek() == '[') literal.annotatedBy(list())
     }
@@ -367,7 +367,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return steps.first()
     }
 
-    /** Jason's copies of a step take its place from the term, and those of a comparison or a sum from its operands. */
+    /** Jason takes the place of a copied step from its term, and the place of a copied comparison or sum from its operands. */
     private fun stand(term: Term, place: SourceInfo) {
         if (term.srcInfo == null) term.srcInfo = place
         if (term is BinaryStructure || term is ArithExpr) term.terms.forEach { stand(it, place) }

@@ -13,7 +13,7 @@ import jason.asSyntax.parser.TokenMgrError
 /** Returns the text of [term] in a recording. [termOf] reads it back to the same term; see [TermWriter]. */
 internal fun textOf(term: Term): String = TermWriter().text(term)
 
-/** Returns the text of [literal] for a place where only a literal can stand, such as a percept or a belief. */
+/** Returns the text of [literal] for a field that holds only literals, such as percepts or beliefs. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
 internal fun triggerText(trigger: Trigger): String =
@@ -33,7 +33,7 @@ internal fun contentOf(text: String, agent: Agent): Any =
 
 private const val TEXT = "#text("
 
-/** The operator of signals, which Jason 3.2.1 does not have. A recording contains signals in the form of beliefs. */
+/** The trigger type of signals, which Jason 3.2.1 lacks. In the notation of triggers a signal would read as a belief. */
 private const val SIGNAL = "signal"
 
 /**
@@ -65,7 +65,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Reads a percept of a recording in format 1. Its strings are in the boards' notation, which Jason's parser does not read. */
+/** Reads a percept of a recording in format 1. The percept's strings are in the boards' notation, which Jason's parser does not read. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
- * No term of Jason's begins with `#kind(…)`.
+ * Writes a term so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
+ * In Jason's notation no term begins with `#`.
  *
  * | written | is |
  * |---|---|
@@ -42,7 +42,7 @@ import kotlin.math.floor
  * | `#structure(f(1))`, `#pred(f)`, `#atom(f)` | terms that Java code has made; Jason does not believe them |
  * | `#"Upper Case"(1)` | a structure with a functor that is no word |
  * | `#string("a\\b")` | a string that Jason's syntax cannot hold |
- * | `_12`, `#var("_12",-12)` | a variable that Jason has numbered; one with another name or number |
+ * | `_12`, `#var("_12",-12)` | a variable that is named after its number; a variable with another name or number |
  * | `#set(a)`, `#map(a,1)` | a set, a map of keys and values |
  * | `#fun("math.max",1,2)` | a function that is not evaluated |
  * | `#plan(…)`, `#rule(…)`, `#body(…)`, `#event(…)` | parts of programs |
@@ -115,7 +115,7 @@ internal class TermWriter {
         },
     )
 
-    /** Writes a string. Jason resolves some escapes and drops some characters; it cannot read such strings back. */
+    /** Writes a string. Jason's notation cannot hold every string: Jason resolves some escapes, and drops some characters. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }
@@ -258,7 +258,7 @@ internal class TermWriter {
         private const val REFUSED = "#refused("
         private val VARIABLE = Regex("""\p{Lu}[\p{L}\p{N}_]*""")
 
-        /** Matches the name that Jason gives to a variable, with its number. */
+        /** Matches a name that Jason has made for a variable, and captures the variable's number. */
         val NUMBERED = Regex("""_([1-9]\d{0,9})(?!\d)[\p{L}\p{N}_]*""")
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
@@ -276,7 +276,7 @@ internal class TermWriter {
 
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** Returns [text] in quotes. The result has only characters that every encoding has. */
+        /** Returns [text] in quotes. The result has no surrogates and no control characters, so every encoding of Unicode can hold it. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {

@@ -11,12 +11,12 @@ import jason.asSyntax.Term
 import jason.stdlib.random
 import java.io.Serializable
 
-/** Replaces [code], an internal action or a function. If a program serializes its plans, [code] is written instead. */
+/** Replaces [code], an internal action or a function. If a program serializes its plans, [code] is written instead of this object. */
 internal sealed interface Watched : Serializable {
     val code: Any
 }
 
-/** Wraps [code], which the program calls [name]. Asks the agent's watch about each call. */
+/** Wraps the internal action [code], whose name in the program is [name]. Asks the agent's watch about each call. */
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
@@ -46,8 +46,8 @@ internal class WatchedAction(private val name: String, override val code: Intern
 }
 
 /**
- * Wraps `.random`, and passes calls to [watched]. This class extends Jason's, since `.set_random_seed` casts to Jason's class to take the
- * generator of [code].
+ * Wraps `.random`, and passes calls to [watched]. This class extends Jason's class, since `.set_random_seed` casts to Jason's class and
+ * takes its generator.
  */
 internal class WatchedRandom(override val code: random, private val watched: WatchedAction) : random(), Watched {
     private fun writeReplace(): Any = code
@@ -57,7 +57,7 @@ internal class WatchedRandom(override val code: random, private val watched: Wat
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = watched.execute(ts, un, args)
 }
 
-/** Wraps the function [code]. Asks the agent's watch about each call, or [watch] if the agent has none. */
+/** Wraps the function [code]. Asks the calling agent's watch about each call; asks [watch] if that agent has none. */
 internal class WatchedFunction(override val code: ArithFunction, val watch: CallWatch) : ArithFunction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
 
@@ -74,13 +74,13 @@ internal object NobodyWatches : CallWatch {
 }
 
 /**
- * Returns the calling agent's watch, or [own]. The calling agent may be another one than the program's, since a told plan contains the
- * teller's code.
+ * Returns the calling agent's watch; [own] if that agent has none. The calling agent may have got the code from another agent, in a plan
+ * that the other agent told it.
  */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
 /**
- * Replaces Jason's table of the actions that an agent has looked up. From now on [found] returns the action for each name, even for a term
+ * Replaces Jason's table of the actions that an agent has looked up. From now on [found] chooses the action for each name, even for a term
  * that the agent makes from a text.
  */
 internal class WatchedActions private constructor(private val agent: Agent, private val found: (String, InternalAction) -> InternalAction) :
@@ -104,7 +104,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {
-        /** Asks [found] for each action that [agent] has looked up or will look up. */
+        /** Replaces each action that [agent] has looked up, or will look up, by the result of [found]. */
         fun install(agent: Agent, found: (String, InternalAction) -> InternalAction) {
             val before = Insides.actions[agent]
             Insides.actions[agent] = WatchedActions(agent, found).apply { before.forEach { (name, action) -> put(name, action) } }
@@ -114,7 +114,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
 /** Jason's functions for all agents. Terms that agents make from texts use these functions. */
 internal object WatchedFunctions {
-    /** Makes the functions that draw a number or read a clock ask the calling agent's watch, for the whole program. */
+    /** From now on the functions that draw a number or read a clock ask the calling agent's watch, in the whole program. */
     @Synchronized
     fun install() = Insides.functions[null].replaceAll { _, function -> WatchedCode.watched(function, NobodyWatches) }
 }

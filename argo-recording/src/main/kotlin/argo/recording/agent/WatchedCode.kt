@@ -29,12 +29,12 @@ internal enum class WatchedKind(val isOfProject: Boolean) {
     /** Jason or ARGO owns the action, whose results come from outside. */
     OUTSIDE(false),
 
-    /** Jason. See [Nature.SENDING]. */
+    /** Jason owns the action; see [Nature.SENDING]. */
     SENDING(false),
 
     PROJECT(true),
 
-    /** The project. After such a call the intention waits for another thread. */
+    /** The project owns the action. After such a call the intention waits for another thread. */
     SUSPENDING(true),
 }
 
@@ -65,12 +65,12 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. Such code is
- * the project's own, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this
- * class changes the program's own terms.
+ * Asks [watch] about each call of those internal actions and functions that read or change anything outside of the agent. These are the
+ * project's own, and those of Jason that the table [JasonCode] lists as inputs or effects. Jason looks an action up when it reads a
+ * program, so this class changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // objects seen in the present visit
+    private var seen = identities() // objects that the running visit has seen
     private val actions = HashMap<String, InternalAction>()
     private var plans: List<Plan> = emptyList() // visited plans
     private var isStale = false
@@ -92,7 +92,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         return watched(name, action)
     }
 
-    /** Watches the [content] of a received message. The sender may have looked up code in the content. */
+    /** Watches the [content] of a received message. The content may have code that the sender has looked up. */
     fun received(content: Any?) = try {
         visit(content)
     } catch (refused: UnknownCodeException) {
@@ -102,8 +102,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     /**
-     * Notes that the agent includes a file. Jason then looks up the actions of all its plans anew, even if the file has only beliefs and
-     * rules.
+     * Notes that the agent includes a file. Jason then looks up the actions of all plans of the agent anew, even if the file has only
+     * beliefs and rules.
      */
     fun included() {
         isStale = true
@@ -128,7 +128,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         isStale = false
     }
 
-    /** Returns [action], which the program calls [name], in its watched form if it must be watched. */
+    /** Returns [action], whose name in the program is [name], in its watched form if it must be watched. */
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
@@ -202,8 +202,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
         /**
-         * Returns [action], which the program calls [name], perhaps wrapped. If the action must be watched, the result asks [watch] about
-         * each call.
+         * Returns [action], whose name in the program is [name]. If the action must be watched, the result is a wrapper that asks [watch]
+         * about each call.
          */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
@@ -220,7 +220,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must be watched and is not yet. Unknown code must be watched too, so that no replay carries it out. */
+        /** Returns true if [code] must be replaced by a watched form. This includes unknown code, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) || code is OfInfrastructure -> true

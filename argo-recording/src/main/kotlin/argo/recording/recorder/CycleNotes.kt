@@ -20,7 +20,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Collects an agent's input in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores it. */
+/** Collects an agent's input in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores the cycle. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
@@ -39,20 +39,20 @@ internal class CycleNotes(val ns: Long) {
     var isHeld = false
     var orders: List<GivenOrder> = emptyList()
 
-    /** The reason why no replay can have this cycle; null: none is known. */
+    /** The reason why no replay can repeat this cycle; null: none is known. */
     var refusal: Refusal? = null
         private set
 
     var underWay: CallNote? = null
 
-    /** True if the cycle begins with work from earlier cycles. Only this field shows the work if it merely removes an ended intention. */
+    /** True if the cycle begins with work from earlier cycles. Only this field shows work that merely removes an ended intention. */
     var isAtWork = false
 
     var isSending = false
 
     /**
-     * Notes that no replay can have this cycle, because of [why]. If [isOfProject], a replay that carries out the project's code can have
-     * the cycle.
+     * Notes that no replay can repeat this cycle, because of [why]. If [isOfProject], a replay can repeat the cycle by carrying out the
+     * project's code.
      */
     fun refuse(why: String, isOfProject: Boolean = true) {
         val known = refusal
@@ -71,7 +71,7 @@ internal class CycleNotes(val ns: Long) {
     )
 }
 
-/** The change from the previous percepts, see [PerceptChange]. Jason believes copies of the literals, which share their sets and maps. */
+/** The change from the previous percepts, see [PerceptChange]. Jason believes copies of the literals, which have the same sets and maps. */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     private val texts = laterText(now) { now.map(::literalText) }
 
@@ -111,7 +111,7 @@ internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Bo
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Adds another answer to the call. If a loop finds the answer in a later cycle, ignores it and returns false. */
+    /** Adds another answer to the call. If a loop finds the answer in a later cycle, ignores the answer and returns false. */
     fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
 
     fun sent(command: IssuedCommand) {

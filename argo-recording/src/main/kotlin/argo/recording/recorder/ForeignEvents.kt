@@ -10,11 +10,10 @@ import java.util.IdentityHashMap
 /**
  * Collects the events that other threads put into an agent's queue at any time. Safe for use by several threads.
  *
- * Jason puts an event into the queue before it tells its listeners. So the agent may select another thread's event before this class gets
- * to know it. Therefore this class also gets to know the agent's own events: a selected event that it does not know comes from another
- * thread.
+ * Jason puts an event into the queue before it tells its listeners. So the agent may select another thread's event before this class learns
+ * of the event. Therefore this class also notes the agent's own events: a selected event that is not noted comes from another thread.
  *
- * @param waiting returns the events that wait in the agent; those that wait at the beginning are its own
+ * @param waiting returns the events that wait in the agent; those that wait at the beginning count as the agent's own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
 internal class ForeignEvents(private val waiting: () -> Collection<Event>, private val isOwn: () -> Boolean) : CircumstanceListener {
@@ -50,7 +49,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
         added.clear()
     }
 
-    /** Takes [event], which the agent has selected in this cycle. Returns true if another thread added it. */
+    /** Takes [event], which the agent has selected in this cycle. Returns true if another thread added the event. */
     @Synchronized
     fun takeSelected(event: Event): Boolean {
         val isForeign = event !in known && (added.removeIf { it === event } || event.isExternal.also { if (it) early += event })

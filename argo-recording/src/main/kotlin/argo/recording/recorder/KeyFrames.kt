@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle in which all of the agent's
- * activities can be described. Make it before the agent's first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle, if it can describe all that the
+ * agent is doing then. Make this object before the agent's first cycle. Belongs to the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
@@ -48,7 +48,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
-    /** Notes that the agent's program has been exchanged. Key frames now contain the plans and rules that differ from the program's. */
+    /** Notes that the agent's program has been exchanged. Later key frames contain the plans and rules that are new. */
     fun reloaded() = program.forgetMoved()
 
     fun ended(number: Int) {
@@ -65,8 +65,8 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     }
 
     /**
-     * Returns a key frame at the end of [cycle]; null: none is due. Another thread makes its texts. If a due key frame cannot be made,
-     * returns, once in each interval, a key frame with only the reason.
+     * Returns a key frame at the end of [cycle]; null: none is due. Another thread makes the key frame's texts. If a due key frame cannot
+     * be made, returns a key frame with only the reason, once in each interval.
      *
      * @param begun the number of operations that the agent has begun outside of its thread
      * @param open the numbers of the operations that have not ended
@@ -82,7 +82,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             inside.message ?: "a Java object"
         } catch (other: LinkageError) {
             "this version of Jason has other fields ($other)"
-        } catch (_: StackOverflowError) { // Java writes the elements of a list nested
+        } catch (_: StackOverflowError) { // Java writes each element of a list within the one before
             "a list in an intention was too long"
         } catch (other: RuntimeException) { // a thread of the project may change the agent meanwhile; the agent must go on
             "the agent was being changed ($other)"
@@ -190,7 +190,7 @@ internal class KeyFrameNote(
 
     val size: Int get() = (beliefs.size + perceived.size) * BELIEF_BYTES + mind.size
 
-    /** True for a key frame, false for only the reason why there is none. */
+    /** False if [frame] contains only the reason why there is no key frame. */
     val isThere: Boolean get() = frame.missing == null
 
     fun frame(): KeyFrame {

@@ -7,11 +7,11 @@ import argo.recording.storage.RecordChannel
 import java.util.concurrent.TimeUnit
 
 /**
- * Makes messages of the numbers in percepts, for programs that plot: `dist(front,38)` of the agent `driver` is `{"value":38}` in the topic
- * `/driver/percept/dist/front`, when it changes. If a number changes several times within [LEAST_NS], the last change counts. For the
- * thread that stores records.
+ * Makes messages of the numbers in percepts, for programs that plot: `dist(front,38)` of the agent `driver` becomes `{"value":38}` in the
+ * topic `/driver/percept/dist/front` when the number changes. If it changes several times within [LEAST_NS], only the last change counts.
+ * For the thread that stores records.
  *
- * @param channel returns the channel of a topic for a schema with a name
+ * @param channel returns the channel for a topic and its schema
  * @param warn takes a sentence if there are more than [MAX_CHANNELS] topics
  */
 internal class PerceptNumbers(
@@ -25,13 +25,11 @@ internal class PerceptNumbers(
     }
 
     private val courses = HashMap<String, Course>()
-    private val indexed = HashSet<String>() // topics of several percepts in one message, which are told apart by their first numbers
-    private val held = LinkedHashMap<Course, Encoded>() // changes that came soon after others
+    private val indexed = HashSet<String>() // topics that several percepts of one message share; their first numbers tell them apart
+    private val held = LinkedHashMap<Course, Encoded>() // changes that wait, since they came soon after others
     private var hasWarned = false
 
-    /**
-     * Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, at [nowNs].
-     */
+    /** Notes the changed numbers in [snapshots], with [offsetNs] added to their times. Returns the messages that are due at [nowNs]. */
     fun of(snapshots: List<PerceivedSnapshot>, offsetNs: Long, nowNs: Long): List<Encoded> {
         for (snapshot in snapshots) note(snapshot.texts.mapNotNull { numbersIn(it, snapshot.namespace) }, snapshot.receivedNs + offsetNs)
         val due = held.filterKeys { course -> course.storedNs?.let { nowNs - it >= LEAST_NS } != false }

@@ -19,7 +19,7 @@ import kotlinx.serialization.json.Json
 import java.io.IOException
 
 /**
- * Stores the program of the agent of [ts] with all files that it includes, its options and all versions.
+ * Stores the program of the agent of [ts] and the files that it includes, the agent's options, and the versions of ARGO, Jason and Java.
  * @throws IOException if the program cannot be read, or can be read only by the project's code
  */
 internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
@@ -56,10 +56,7 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
     return program
 }
 
-/**
- * Returns those [settings] that an infrastructure may change besides the options. For example, an execution control makes agents wait for
- * it.
- */
+/** Returns the [settings] that an infrastructure may change without an option: an execution control, for example, makes agents wait. */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
     "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",

@@ -64,8 +64,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 
 /**
- * Records the cycles of one agent to [track]. Notes all input of a cycle at the agent's boundary. Lets operations that the agent has begun
- * outside of its thread end only at the beginning of a cycle.
+ * Records the cycles of one agent to [track]. Notes all input of a cycle at the agent's boundary. An operation that the agent has begun
+ * outside of its thread ends only at the beginning of a cycle.
  */
 internal class Recorder(
     private val agent: ObservedAgent,
@@ -73,7 +73,7 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** An end that waits for the next cycle; if another thread left work, its work. */
+    /** The end of an operation, which waits for the next cycle. If another thread left the operation, [work] does it. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
@@ -84,13 +84,13 @@ internal class Recorder(
     @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
-    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of commands under way that a call in a cycle has sent
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of unfinished commands that calls have sent
 
     @Volatile
     private var inCycle: Thread? = null
 
     @Volatile
-    private var unstored: Thread? = null // the thread of a cycle that the track has not got yet
+    private var unstored: Thread? = null // the thread whose cycle the track has not received yet
 
     @Volatile
     private var isStopped = false
@@ -139,7 +139,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. Nobody knows the rest of that cycle. */
+    /** Ends the agent's recording with a cycle that an error has ended. The rest of that cycle is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -164,8 +164,8 @@ internal class Recorder(
     }
 
     /**
-     * Refuses the cycle if the project's thread has changed the agent's beliefs. Events that it has added are allowed, since a replay has
-     * them all.
+     * Refuses the cycle if a thread of the project has changed the agent's beliefs. The thread may have added events, since a replay has
+     * all events.
      */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
@@ -174,8 +174,8 @@ internal class Recorder(
     }
 
     /**
-     * Carries out the ends that have arrived, before Jason begins the cycle. An intention resumed by an end goes on in the same cycle, as
-     * without a recording.
+     * Carries out the arrived ends of operations, before Jason begins the cycle. An intention that an end resumes goes on in the same
+     * cycle, as it would without a recording.
      */
     private fun carryOutEnds(agent: Running) {
         if (inbox.isEmpty()) return
@@ -197,7 +197,7 @@ internal class Recorder(
         else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
     }
 
-    /** Does the project's [work]. If it changes the agent, refuses the cycle with [why], since a replay does not carry it out. */
+    /** Does the project's [work]. If the work changes the agent, refuses the cycle with [why], since a replay does not do the work. */
     private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
         if (isRefused) return work()
         val before = MindSizes.of(agent.ts)
@@ -303,7 +303,7 @@ internal class Recorder(
         return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
     }
 
-    /** Refuses the cycle if the project's present action [does] more than return a result, since a replay does not carry the action out. */
+    /** Refuses the cycle if an action of the project is under way, which a replay does not carry out. [does] is what the action does. */
     private fun refuseIfOfProject(agent: Running, does: String) {
         val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
         agent.now.refuse("the project's action ${call.name} $does besides its result")
@@ -349,7 +349,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. Jason's own classes leave their work in a replay, too; only the end of a project's action is missing in a replay. */
+    /** Takes [work]. In a replay Jason's own classes leave the same work, except the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -441,7 +441,7 @@ internal class Recorder(
         else -> if (isRecorded) Counters.read() else emptyList()
     }
 
-    /** Notes the counters before this agent's own draws: other agents have drawn from them in this cycle, too. */
+    /** Notes the counters as they were before this agent took its own numbers: other agents have taken numbers in this cycle, too. */
     private fun noteCounters(agent: Running, message: String?) {
         val start = agent.counters
         val c = agent.ts.c
@@ -502,7 +502,7 @@ internal class Recorder(
         return true
     }
 
-    /** Leaves the recording. If the agent is stopped in the middle of a cycle, its thread leaves later, after this cycle. */
+    /** Leaves the recording. If the agent is stopped in the middle of a cycle, its thread leaves the recording after that cycle. */
     override fun close() {
         isStopped = true
         if (unstored?.isAlive == true) return

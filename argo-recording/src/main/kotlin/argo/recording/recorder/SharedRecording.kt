@@ -17,14 +17,14 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
     private var agents = 0
 
     /**
-     * Closes a file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring is written only on request, and not at
-     * the end of a program.
+     * Closes the recording's file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring, which keeps the last
+     * minutes in memory, is written only on request.
      */
     private val farewell = (sink as? RecordingFile)?.let { file ->
         Farewell(MAX_FAREWELL_MS, "argo_record: the program has ended before all that was recorded was in ${file.path}", say = file::close)
     }
 
-    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing to a recording in a file. */
+    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing if the recording is in a file. */
     fun save(folder: Path = Path.of("")) {
         val ring = sink as? RecordingRing ?: return
         Thread({
@@ -53,7 +53,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }
     }
 
-    /** Removes an agent that ends. The last agent closes the recording. */
+    /** Removes an agent that ends. With the last agent the recording is closed. */
     fun leave() = synchronized(OPEN) {
         if (--agents == 0) {
             OPEN -= key
@@ -67,11 +67,11 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         private const val MAX_FAREWELL_MS = 5000L
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
-        /** The value of the option for a ring, with the number of minutes. */
+        /** Matches the option's value for a ring, and captures the number of minutes. */
         val LAST = Regex("""last\(([1-9]\d{0,3})\)""")
 
         /**
-         * Adds an agent to the recording of the option's [value], a file or the last minutes. Returns the recording.
+         * Adds an agent to the recording for the option's [value], which names a file or the last minutes. Returns the recording.
          * @throws IOException if the file cannot be made
          */
         fun join(value: String, log: Logger): SharedRecording = synchronized(OPEN) {

@@ -15,7 +15,7 @@ internal class StoredFilters(private val agent: String, private val attach: (nam
         name
     }
 
-    /** Returns possible names of the attachment. After a change of its file, another filter may have the same name. */
+    /** Returns possible names of the attachment. A filter whose file has changed is another filter with the same name. */
     private fun names(filter: String) =
         sequenceOf(filterName(agent, filter)) + generateSequence(2) { it + 1 }.map { filterName(agent, "$filter-$it") }
 }

@@ -46,8 +46,8 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     }
 
     /**
-     * Stores the file called [name] that the agent includes at run time, found as Jason will find it. [within] is the name of that file by
-     * [KeptInclude.placeOf].
+     * Stores the file called [name] that the agent includes at run time, found as Jason will find it. [within] is the name of the including
+     * file [outer] by [KeptInclude.placeOf].
      */
     fun include(name: String, outer: String?, within: String) =
         store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
@@ -74,7 +74,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns why no replay can read the program with [names]: the project's code reads a directive. Null: a replay can read it. */
+/** Returns why no replay can read the program with [names]: the project's code reads a directive. Null: a replay can read the program. */
 internal fun foreignDirective(names: ProgramNames): String? =
     (names.directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
         val type = Insides.directiveClasses[null][directive] // null: the term only looks like a directive

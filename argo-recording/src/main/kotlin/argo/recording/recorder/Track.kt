@@ -81,7 +81,7 @@ internal class Track(
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
-    /** Marks the place where the agent requests the recording because of [why], and makes another thread save a ring. */
+    /** Marks this point, at which the agent wants the recording saved because of [why]. Lets another thread save a ring. */
     fun save(why: String, ns: Long) {
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()

@@ -22,8 +22,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers an agent's questions in a replay, and ends the operations that the agent begins outside of its thread. Belongs to one agent and,
- * except for [left], to its thread.
+ * Answers an agent's questions in a replay, and ends the operations that the agent begins outside of its thread. Belongs to one agent, and
+ * to its thread; only [left] may be called on any thread.
  */
 internal interface Answers {
     /** True if the agent has repeated each step of the recording so far. */
@@ -38,14 +38,14 @@ internal interface Answers {
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. [timers] are the running ones, by their numbers. */
+    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. [timers] has the running timers, by number. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
     fun next(cycle: Cycle)
 
     fun carryOut(cycle: Cycle)
 
-    /** Returns the port by which [percept] came, a text of [argo.recording.agent.literalText]; null: it came by no port. */
+    /** Returns the port from which [percept] came; null: from none. [percept] is a text of [argo.recording.agent.literalText]. */
     fun boardOf(percept: String): String?
 
     /** Returns the result of [call]. [live] carries the call out. */
@@ -96,13 +96,13 @@ internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf
 
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
-/** Returns the recorded value of the function, or throws its recorded failure; null: the call is not of a function. */
+/** Returns the recorded value of the called function, or throws the recorded failure; null: the agent called an action. */
 internal fun Call.valueOrFailure(): Double? {
     failure?.let { throw evaluationFailed(it) }
     return value?.toDouble()
 }
 
-/** Gives [call] the result or failure of [recorded]. The intention is suspended within [suspending]. */
+/** Gives [call] the result or failure of [recorded]. [suspending] gets the function that suspends the intention. */
 internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: () -> Unit) -> Unit = { it() }): Any {
     recorded.failure?.let { throw it.exception() }
     if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()
@@ -113,8 +113,8 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
 }
 
 /**
- * Lets [live] carry out [call], which sends a message. Afterwards the intention waits or its plan fails, as [recorded]. Null: nothing was
- * recorded, as outside of a fleet, where no intention waits.
+ * Lets [live] carry out [call], which sends a message. Afterwards the intention waits or its plan fails, as in [recorded]. Outside of a
+ * fleet [recorded] is null, and no intention waits.
  */
 internal fun send(recorded: Call?, call: InternalCall, live: (Unifier) -> Any, suspending: (suspend: () -> Unit) -> Unit): Any {
     val result = try {

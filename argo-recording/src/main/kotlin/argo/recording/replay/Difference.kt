@@ -52,7 +52,7 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 
 /**
  * Returns the comparable part of this replayed course of [cycle]. Parts that the recording lacks, because the agent or Java was ending, are
- * missing in the result too. Unless [isChecking], the project's own actions do not run, and their lines are taken from the recording.
+ * missing in the result too. Unless [isChecking], the project's own actions do not run, and their printed lines come from the recording.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The recorded percepts, with the boards' messages seen through [filter] instead of the recorded filters. Percepts of an environment and
- * beliefs about ports stay.
+ * beliefs about ports stay as recorded.
  */
 internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private val boards = LinkedHashMap<String, Board>()
@@ -31,7 +31,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         val input = cycle.input
         val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
         input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
-        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // `map` comes first, so that every board takes its part
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // `map` first, so that every board takes what is due
         input.percepts?.let { recorded = it.appliedTo(recorded) }
         if (input.percepts == null && !isDue) return null
         noteCritical()

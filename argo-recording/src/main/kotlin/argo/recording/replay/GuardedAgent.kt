@@ -15,13 +15,13 @@ import jason.asSyntax.Term
 
 /**
  * The agent of a replay, or an agent that Jason makes for an included file. Asks [watch] about each call of looked-up code: while Jason
- * reads the program, while the agent runs, and for terms that the agent makes from texts. The agent touches only classes that are internal
+ * reads the program, while the agent runs, and for terms that the agent makes from texts. The agent uses only classes that are internal
  * actions or functions.
  */
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     private var code: WatchedCode? = null // null while the program is read
 
-    /** Asks [asked] about the calls of the agent's [code] from now on. Call this when Jason has read the program. */
+    /** From now on asks [asked] about the calls of the agent's [code]. Call this when Jason has read the program. */
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked
@@ -61,8 +61,8 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 }
 
 /**
- * Asks [watch] about each call of code that Jason has looked up while it read a program. As long as [watch] is null, carries out no code
- * that touches the outside, except the project's own code if [isCarryingOut].
+ * Asks [watch] about each call of code that Jason has looked up while it read a program. As long as [watch] is null, carries out only
+ * Jason's functions and, if [isCarryingOut], the project's own code.
  */
 internal class LateWatch(private val isCarryingOut: Boolean) : CallWatch {
     /** The watch to ask; null while the program is read. */

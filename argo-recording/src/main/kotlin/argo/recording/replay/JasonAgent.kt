@@ -30,7 +30,7 @@ import java.nio.file.Path
  * Makes Jason create an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
  * @param isCarryingOut whether an architecture of the project may be made; such an architecture may do anything
- * @param observers options of observers, such as `argo_debug=4711`; the recorded ones would start others, such as a live view
+ * @param observers options of observers, such as `argo_debug=4711`; the recorded options might start others, such as a live view
  * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or if Jason cannot read the program
  */
 internal fun jasonAgent(
@@ -73,7 +73,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source]. Jason's annotations and errors name [address] as its place; null: [source]. */
+/** Reads the program in the file [source]. Jason's annotations and errors name [address] as the program's address; null: [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, ProgramSource.nameOf(address)) }
@@ -94,7 +94,7 @@ internal fun TransitionSystem.rest(cycles: Int) {
 }
 
 /**
- * Carries out the reasoning cycle with this [number], with included files from [includes]. For [isConditional] see
+ * Carries out the reasoning cycle with this [number]. Takes included files from [includes]. For [isConditional] see
  * [RecordedAgent.isConditional].
  */
 internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = KeptInclude.within(includes) {
@@ -126,14 +126,14 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 
 /**
  * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads most settings when it makes an agent;
- * it reads some only once in a program, with the first term.
+ * it reads some only once, when Java makes the first term.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
 /**
- * Lets Jason [read] a program with these [settings], but without its server for showing agents. The server would show each block of a
- * program as an agent, too.
+ * Calls [read], in which Jason reads a program: with these [settings], but without its server for showing agents. The server would show
+ * each block of a program as an agent, too.
  */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()
@@ -146,7 +146,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
     }
 }
 
-/** Refuses the class [name] of an agent unless it is Jason's own, [jasons]. The constructor of another class may do anything. */
+/** Refuses the class [name] of an agent unless it is Jason's own class [jasons]. The constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes only $jasons")
 }
@@ -176,7 +176,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if a replayed agent gets [option] too, which is of no observer. */
+/** Returns true if a replayed agent gets [option] too: the option starts no observer. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

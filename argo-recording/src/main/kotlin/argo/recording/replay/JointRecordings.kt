@@ -13,7 +13,7 @@ class JointRecordings(private val recordings: List<Recording>) {
     /**
      * A message that was sent.
      *
-     * @property recording the place of the sender's recording among all
+     * @property recording the index of the sender's recording
      * @property cycle the sender's cycle
      */
     class Sending(val recording: Int, val agent: String, val cycle: Cycle, val mail: Mail)
@@ -37,7 +37,7 @@ class JointRecordings(private val recordings: List<Recording>) {
     private fun sendings(one: Telling) =
         one.cycle.course.mail.filter { it.failure == null }.map { Sending(one.place, one.agent, one.cycle, it) }
 
-    /** Returns the sending of [mail], which the agent [receiver] of the recording at [place] has taken; null: it was not recorded. */
+    /** Returns the sending of [mail], taken by the agent [receiver] of the recording with the index [place]; null: it was not recorded. */
     fun sending(place: Int, receiver: String, mail: Mail): Sending? {
         val own = mail.sender in recordings[place].agents
         return sent[mail.sender to mail.id]?.find { one ->
@@ -45,7 +45,7 @@ class JointRecordings(private val recordings: List<Recording>) {
         }
     }
 
-    /** Returns, for each pair of recordings, the differences of the messages between them: the receiver's time less the sender's, in ns. */
+    /** Returns, for each pair of recordings, one time for each message between them: the receiver's time less the sender's, in ns. */
     private fun messageTimes(): Map<Pair<Int, Int>, List<Long>> = telling.flatMap { one ->
         one.cycle.input.mail.mapNotNull { sending(one.place, one.agent, it) }.filter { it.recording != one.place }
             .map { (it.recording to one.place) to one.cycle.ns - it.cycle.ns }
@@ -86,9 +86,9 @@ data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int)
         val NONE = ClockDifference(0, 0, 0)
 
         /**
-         * Returns the time by which the receiver's clock is ahead of the sender's; null: there are no messages. For each message, [there]
-         * has the time in ns from the sending to the arrival, by both clocks; [back] has the same for messages the other way. Messages take
-         * time, so [there] gives an upper limit, and [back] a lower one.
+         * Returns the time by which the receiver's clock is ahead of the sender's; null: there are no messages. [there] has one number for
+         * each message: its arrival by the receiver's clock less its sending by the sender's clock, in ns. [back] has the same for messages
+         * the other way. Messages take time, so [there] gives an upper limit, and [back] a lower one.
          */
         internal fun of(there: List<Long>, back: List<Long>): ClockDifference? {
             val (most, least) = there.minOrNull() to back.minOrNull()?.unaryMinus()

@@ -6,7 +6,7 @@ import argo.recording.End
 
 /**
  * Finds recorded calls, and the ends of their operations, in [cycles]. The recorded calls answer an agent that may make other calls, or
- * calls at other times.
+ * make its calls at other times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -32,20 +32,20 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         }
     }
 
-    /** The usual time of a command with an outcome, in ns: the median of the recorded times. */
+    /** The usual duration of a command, from its call to its outcome, in ns: the median of the recorded durations. */
     val usualNs: Long = made.values.flatten().filter { it.call.commands.isNotEmpty() }
         .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
         .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
 
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the calls of [name] with [args] one after the other, each only once; null: none is left. */
+    /** Returns the next call of [name] with [args]; null: none is left. Returns each call once. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]; null: there
-     * is no such call that was not yet returned.
+     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]; null: none
+     * is left. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
@@ -57,13 +57,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     /** Returns the first call of [name] with [args], at any time. May return the same call several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
-    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late. Returns each end once. */
+    /** Returns the end of a timer at about [ns], or a little later, since an agent sees the end late. Returns each end once. */
     fun timer(ns: Long): Ended? {
         val first = timers.binarySearch { it.ns.compareTo(ns - EARLY_NS) }.let { if (it < 0) -it - 1 else it }
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** Returns the end of the timer [number], which the same step began, if the timer was due at about [ns]. Returns each end once. */
+    /** Returns the end of the timer [number] of the recorded step if this end came at about [ns]. Returns each end once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 
@@ -89,7 +89,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         private const val LATE_NS = 100_000_000L
         private const val LATEST_NS = 2_000_000_000L
 
-        /** The time of a command if none was recorded, in ns. */
+        /** The duration of a command if none was recorded, in ns. */
         private const val USUAL_NS = 10_000_000L
     }
 }

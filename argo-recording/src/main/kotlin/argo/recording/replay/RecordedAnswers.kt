@@ -22,8 +22,8 @@ import java.util.concurrent.TimeUnit
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * Answers with the recorded results for an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to
- * carry out the project's own actions and functions again, to compare their results.
+ * Gives the recorded results to an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to carry out
+ * the project's own actions and functions again, to compare their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()
@@ -121,8 +121,8 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     }
 
     /**
-     * Reports a call that the agent makes [now] and that was not recorded. If Jason ended the recorded cycle early, such a call might have
-     * come later, and is not reported.
+     * Reports the agent's call [now], which was not recorded. If Jason ended the recorded cycle early, such a call might have come later,
+     * and is not reported.
      */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)

@@ -16,7 +16,7 @@ import java.nio.file.Path
 
 /**
  * The files that [agent] of [recording] has included. A replay takes these files from the recording instead of the disk. [beside] is the
- * user's own program, which replaces the recorded one; included files are looked for in its folder first; null: there is none.
+ * user's own program, which replaces the recorded one; null: there is none. Included files are looked for in its folder first.
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }

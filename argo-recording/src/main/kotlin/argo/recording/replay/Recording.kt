@@ -28,7 +28,7 @@ import kotlin.io.path.readBytes
  * A recording of agents. For one thread.
  *
  * @throws IOException if the file cannot be read
- * @throws RecordingException if the file is no recording of agents, or of a newer version
+ * @throws RecordingException if the file is no recording of agents, or is of a newer version
  */
 class Recording(private val file: Path) : AutoCloseable {
     private val reader = McapReader(file)
@@ -54,8 +54,8 @@ class Recording(private val file: Path) : AutoCloseable {
     /**
      * A file that an agent has included, or has tried to include.
      *
-     * @property within the program's file that includes it
-     * @property name the name by which that file includes it
+     * @property within the file of the program that includes this file
+     * @property name the name of this file in the directive `include`
      * @property address Jason's address of the included file
      * @property text the content of the included file; null: there was no such file
      */
@@ -74,7 +74,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }.toList()
 
     /**
-     * Returns the files of the programs, included ones too, that are on this computer's disks now with another content than the recorded one.
+     * Returns those program files, included ones too, whose present content on this computer's disks differs from the recorded content.
      * @throws RecordingException if the recording lacks the content of a file
      */
     fun changedFiles(): List<Path> {
@@ -100,7 +100,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order. With [last], only cycles in the last part of that length are returned. */
+    /** Returns the cycles of [agent], in their order. With [last], returns only the cycles in the last part of this length. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -126,8 +126,8 @@ class Recording(private val file: Path) : AutoCloseable {
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if no replay can have it. Also refuses a cycle that does not directly follow the cycle with the index
-     * [last]; 0: [cycle] is the first. If [isCarryingOut], the replay carries out the project's code, so it can have more cycles.
+     * Refuses [cycle] of [agent] if no replay can repeat it. Also refuses a cycle that does not directly follow the cycle with the index
+     * [last]; 0: [cycle] is the first. If [isCarryingOut], the replay carries out the project's code, so it can repeat more cycles.
      * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -148,8 +148,8 @@ class Recording(private val file: Path) : AutoCloseable {
     }
 
     /**
-     * Returns the outcomes of the commands of [agent], in the order in which they became known. With [last], only outcomes in the last part
-     * of that length are returned.
+     * Returns the outcomes of the commands of [agent], in the order in which they became known. With [last], returns only the outcomes in
+     * the recording's last part of this length.
      */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
@@ -197,7 +197,7 @@ class Recording(private val file: Path) : AutoCloseable {
 }
 
 /**
- * A cycle that no replay can have. The replay of the [agent] ends before this cycle.
+ * A cycle that no replay can repeat. The replay of [agent] ends before this cycle.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
@@ -217,7 +217,7 @@ class RecordingException(message: String) : IOException(message)
 
 /**
  * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deep, the result is a
- * refusal, otherwise [failed] itself.
+ * [RecordingException]; otherwise it is [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

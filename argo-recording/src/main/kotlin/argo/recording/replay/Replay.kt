@@ -8,8 +8,8 @@ import argo.recording.agent.shownBeliefs
 /**
  * Runs the agents of [recording] again in Jason on their recorded input, without boards, threads and clocks. The cycles run in the order of
  * their times. After each cycle, the replay compares the agent's course with the recorded one. An agent with another course is stopped,
- * since its later input answers actions that it has not done. An agent also stops before the first of its cycles that no replay can have,
- * see [refusals].
+ * since its later input answers actions that it has not done. An agent also stops before its first cycle that no replay can repeat, see
+ * [refusals].
  *
  * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
  * recorded results. If [isChecking], a replay does carry them out, and reports a result that differs from the recorded one, but still uses
@@ -21,7 +21,7 @@ import argo.recording.agent.shownBeliefs
  * Close the replay at the end. For one thread; a program can run one replay at a time.
  *
  * @param isChecking whether to carry out the project's own code again
- * @param debugPort the port at which debuggers reach the agents, 0 for any that is free; null: none
+ * @param debugPort the port at which debuggers reach the agents, 0 for any free port; null: no debugger reaches them
  * @throws RecordingException if the recording cannot be replayed, or no debugger can reach an agent at [debugPort]
  */
 class Replay(
@@ -41,7 +41,7 @@ class Replay(
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** The cycles found so far that no replay can have. Each of these cycles ended the replay of its agent. */
+    /** The cycles found so far that no replay can repeat. Each of these cycles ended the replay of its agent. */
     val refusals: List<RefusedCycle> get() = refusing
 
     var cyclesRun = 0L
@@ -61,15 +61,15 @@ class Replay(
     val nextNs: Long? get() = upcoming?.value?.ns
 
     /**
-     * Returns the pauses of [agent] in this replay. While the agent is paused, [run] does not return, so another thread lets it go on. A
-     * pause changes nothing of the agent's course.
+     * Returns the pauses of [agent] in this replay. While the agent is paused, [run] does not return, so another thread must let the agent
+     * go on. A pause does not change the agent's course.
      */
     fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing
 
-    /** Pauses the agent of the next cycle before that cycle, see [pausing]. Returns its name; null: no cycle is left. */
+    /** Pauses the agent of the next cycle before that cycle, see [pausing]. Returns the agent's name; null: no cycle is left. */
     fun pause(): String? = upcoming?.key?.also { pausing(it).pause() }
 
-    /** Runs all cycles that began before [untilNs], and returns itself. */
+    /** Runs all cycles that began before [untilNs]. Returns this replay. */
     fun run(untilNs: Long = Long.MAX_VALUE): Replay = apply {
         while (true) {
             val (agent, cycle) = upcoming ?: break

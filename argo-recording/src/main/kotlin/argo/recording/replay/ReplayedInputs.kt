@@ -42,7 +42,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
-/** Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations. */
+/** Gives an agent its recorded input, cycle by cycle. [answers] answers the agent's questions, and ends its operations. */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
     private var counters: List<Int> = emptyList() // counters after the agent's last cycle
@@ -77,8 +77,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Calls [watch] for the code of the agent of [ts], and watches the code that it looks up later. Throws [RecordingException] if code
-     * cannot be watched.
+     * Calls [watch] for the code of the agent of [ts], and watches the code that the agent looks up later. Throws [RecordingException] if
+     * code cannot be watched.
      */
     private fun guarded(ts: TransitionSystem, watch: () -> WatchedCode): WatchedCode = try {
         watch().also { (ts.ag as GuardedAgent).begin(it, this) }
@@ -157,8 +157,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [ask], which only asks and changes nothing. The calls in [ask] get the results recorded in this cycle, and do not count as the
-     * agent's calls. For the agent's thread.
+     * Calls [ask], which only reads, and changes nothing. The calls in [ask] get the results recorded in this cycle, and do not count as
+     * the agent's calls. For the agent's thread.
      */
     override fun <T> asking(ask: () -> T): T {
         val around = isAsking

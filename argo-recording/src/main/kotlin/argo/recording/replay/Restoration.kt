@@ -32,8 +32,8 @@ import java.util.zip.InflaterInputStream
 /**
  * Restores the agent of [ts] to its state at [frame]. Jason has just made the agent, which has had no cycle yet.
  *
- * @param program the parts of the recorded program; the agent's intentions consist of its plans
- * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
+ * @param program the parts of the recorded program; the agent's intentions consist of this program's plans
+ * @param isProgram whether the agent has the recorded program; otherwise the agent keeps its own rules and plans
  */
 internal class Restoration(
     private val frame: KeyFrame,

@@ -4,7 +4,7 @@ import argo.recording.Cycle
 import java.time.Duration
 
 /**
- * A command that a plan has sent, at its time.
+ * A command that a plan has sent, with its time.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
@@ -35,7 +35,7 @@ data class CommandDifference(val recorded: TimedCommand?, val now: TimedCommand?
         require(recorded != null || now != null) { "one of both differs" }
     }
 
-    /** `other`, `missing`, `additional`, `earlier` or `later`. */
+    /** The kind of the difference: `other`, `missing`, `additional`, `earlier` or `later`. */
     val kind: String
         get() = when {
             recorded == null -> "additional"

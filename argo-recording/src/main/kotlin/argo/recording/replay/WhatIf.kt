@@ -13,11 +13,11 @@ import java.time.Duration
  * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes its commands.
  * Messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - A command ends like the nearest recorded command of the same text within a second. Without such a command, it succeeds in the usual
+ * - A command ends like the nearest recorded command with the same text within a second. Without such a command, it succeeds in the usual
  *   time.
  * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
  *   question within a second. Without such an answer, the question is false. All other actions of `argo.` succeed.
- * - Chance and clocks give the recorded values in the order of the questions; when these are used up, they give other values.
+ * - Chance and clocks give the recorded values in the order of the questions; when the recorded values are used up, they give other values.
  * - A timer ends together with a recorded timer that ended at about the same time. Without such a timer, it ends at its own time.
  * - The project's own internal actions are carried out if [program] is given. Without [program], these actions have their recorded results.
  *
@@ -81,9 +81,7 @@ class WhatIf internal constructor(
         throw refusalOf(failed)
     }
 
-    /**
-     * Begins another program at the key frame [start], with its beliefs and intentions. The intentions continue with the recorded plans.
-     */
+    /** Begins another program with the beliefs and intentions of the key frame [start]. The intentions continue with the recorded plans. */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
         val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs, isCarryingOut = true)
         inputs.begin(ts, start, before)
@@ -91,7 +89,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs all recorded cycles, and returns itself. Call this function only once.
+     * Runs all recorded cycles. Returns this object. Call this function only once.
      * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then reach up to the gap
      */
     fun run(): WhatIf = apply {
@@ -127,7 +125,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs cycles up to [ns] that the recording does not have. In these cycles the agent does its work and takes the ends that are due.
+     * Runs additional cycles up to [ns], which are not in the recording. In them the agent does its work and takes the ends that are due.
      */
     private fun runBetween(ns: Long) {
         while (true) {

@@ -175,7 +175,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         val end = before?.call?.number?.let(recorded::endOf)
         when {
             before == null -> endIn(if (isCommand) usualNs else 0, carryOut)
-            end == null -> Unit // the recording ended before the call
+            end == null -> Unit // the recording ended before the call did
             before.index == cycle.index -> endWith(end, carryOut)
             else -> endIn(end.ns - before.ns) { carryOut(end.end) }
         }

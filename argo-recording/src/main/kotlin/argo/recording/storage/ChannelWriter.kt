@@ -2,7 +2,7 @@ package argo.recording.storage
 
 import argo.mcap.McapWriter
 
-/** Writes messages of [RecordChannel]s with [writer], and adds a channel there with its first message. For one thread. */
+/** Writes messages of [RecordChannel]s with [writer], and adds each channel with its first message. For one thread. */
 internal class ChannelWriter(private val writer: McapWriter) {
     private val schemas = HashMap<Pair<String, String>, Int>()
     private val channels = HashMap<RecordChannel, Int>()

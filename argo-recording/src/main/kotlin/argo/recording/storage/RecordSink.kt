@@ -4,8 +4,8 @@ import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Takes the records of a recording. Only [flush] and [close] wait for a disk, since reasoning and sensing threads call the other functions.
- * [offer] waits up to 100 ms if the threads that offer leave the writing thread too little time of the processors. Any thread may call.
- * Records offered by one thread are stored in their order. They wait in memory for the recording's own writing thread.
+ * [offer] waits up to 100 ms if the threads that offer records leave the writing thread too little processor time. Any thread may call.
+ * Records offered by one thread are stored in their order. Records wait in memory for the recording's own writing thread.
  */
 abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoCloseable {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
@@ -28,9 +28,9 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
     /**
      * Offers a message for storing.
      *
-     * @param timeNs the time of the message, in ns, since 1970 or of another clock for all messages; not below 0
+     * @param timeNs the time of the message, in ns since 1970, or on another clock that all messages share; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, which it reports itself
+     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports the gap itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
@@ -39,7 +39,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      *
      * @param bytes the approximate size that the message takes in memory until its JSON is made
      * @param beside makes further messages later, which follow this one
-     * @param encode makes the JSON later, from objects that do not change; if it or [beside] throws, the message becomes a gap
+     * @param encode makes the JSON later, from objects that do not change; if [encode] or [beside] throws, the message becomes a gap
      */
     fun offer(
         channel: RecordChannel,
@@ -73,8 +73,8 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
     }
 
     /**
-     * Has [worker] store what waits, and waits until it has ended. Jason interrupts the thread of an agent that it stops, which would cut
-     * the recording off: the thread waits on, and is interrupted afterwards.
+     * Lets [worker] store the waiting records, and waits until it has ended. Jason interrupts the thread of an agent that it stops. That
+     * thread waits on here, so that the recording is whole, and is interrupted afterwards.
      */
     internal fun closeAndAwait(worker: Thread) {
         waiting.close()

@@ -13,13 +13,13 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps all attachments and metadata. In place of a
- * message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
+ * Keeps the last part of a recording in memory; [save] writes this part to a file. The ring keeps all attachments and metadata. In place of
+ * a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
  * If memory runs out, or if for another reason nothing more can be kept, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the most bytes of kept messages; beyond it the oldest messages are dropped before the time [last] is over
+ * @param maxBytes the most bytes of kept messages; beyond this number the oldest messages are dropped before the time [last] is over
  * @param warn takes one sentence for the user; the thread of the ring calls it
  */
 class RecordingRing(
@@ -61,7 +61,7 @@ class RecordingRing(
 
     /**
      * Overwrites the file [path] with the kept records, and goes on keeping them. Waits for the disk, so the agent's thread must not call
-     * it.
+     * this.
      *
      * @throws java.io.IOException if the file cannot be written
      */
@@ -91,7 +91,7 @@ class RecordingRing(
     }
 
     companion object {
-        /** The default of the most bytes of kept messages. */
+        /** The default for the most bytes of kept messages. */
         const val MAX_BYTES = 64L * 1024 * 1024
 
         private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)

@@ -34,11 +34,11 @@ internal sealed interface Waiting {
 
 /**
  * The queue of records for the writing thread, with at most [maxBytes] bytes of messages that wait or are being handled. Messages for which
- * there is no room are left out. A [Gap] takes their place in the order of the records. Any thread may call. Nobody holds the lock while a
- * record is written.
+ * there is no room are left out. A [Gap] takes their place in the order of the records. Any thread may call. No thread holds the lock while
+ * a record is written.
  *
- * A hundred threads that compute without pause leave the writing thread hardly any time of the processors. So the threads that offer
- * messages then rest, each [restNs] at most, until the writing thread has handled what it has taken.
+ * A hundred threads that compute without pause leave the writing thread hardly any processor time. So the threads that offer messages then
+ * rest, each [restNs] at most, until the writing thread has handled the records that it has taken.
  *
  * @param nanos returns the time in ns
  */
@@ -79,7 +79,7 @@ internal class WaitingRecords(
 
     private fun isLate() = isMuch() && !isAtDisk && takenNs?.let { nanos() - it > LATE_NS } == true
 
-    /** Waits until the records taken have been handled, at most [restNs]. An interrupted thread does not wait. */
+    /** Waits at most [restNs] until the taken records have been handled. An interrupted thread does not wait. */
     private fun rest() {
         try {
             handled.awaitNanos(restNs)
@@ -88,7 +88,7 @@ internal class WaitingRecords(
         }
     }
 
-    /** Does [work] of the writing thread that waits for a disk. Meanwhile nobody rests. */
+    /** Does [work] of the writing thread, which waits for a disk. Meanwhile no thread rests. */
     fun <T> atDisk(work: () -> T): T {
         isAtDisk = true
         try {
@@ -114,8 +114,8 @@ internal class WaitingRecords(
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if there are many, if a caller waits in [flush], or
-     * if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and empty.
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if many records wait, if a caller waits in [flush],
+     * or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
@@ -167,7 +167,7 @@ internal class WaitingRecords(
     }
 
     private companion object {
-        /** If more than this part of the room is taken, the writing thread begins early, and threads may have to rest. */
+        /** The room is divided by this number. If more than the result is taken, the writing thread begins early, and threads may rest. */
         const val MUCH_PART = 64
 
         /** Records that the writing thread has had for this long are late. */

@@ -9,7 +9,7 @@ import kotlinx.serialization.Serializable
  * @property reflex the critical rule whose reflex the command was; null: it was no reflex
  * @property frame the frame whose percept began the intention or met the critical rule; null: there is none
  * @property frames all frames that caused the command: [frame] first, then the frames of percepts in contexts and tests
- * @property sent if the root is a message: its sending and the earlier sendings that led to it, in the given recordings, the nearest first
+ * @property sent if the root is a message: the message's sending, then the earlier sendings that led to it, as far as they were recorded
  * @property had the counterfactuals: the agent's commands with another percept, which the question names or the search finds
  */
 @Serializable
@@ -72,7 +72,7 @@ data class Had(
  * The reasons for which a command was not issued.
  *
  * @property command the command in the words of the question
- * @property seconds the end of the searched time, since the first cycle
+ * @property seconds the end of the searched time, in seconds since the first cycle
  * @property plans the plans that would issue the command, in the order of the program
  */
 @Serializable
@@ -82,7 +82,7 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
  * A plan that would have issued a command.
  *
  * @property context the plan's context; null: it has none
- * @property step the step that issues the command; in a plan in [above], the step that leads to that plan
+ * @property step the step that issues the command; for a plan in [above], the step that leads to the plan below
  * @property stepLine the line of [step]
  * @property event the last event for which the plan was relevant; null: there was none
  * @property seconds the beginning of the cycle in which the agent chose [event], since the first cycle
@@ -108,7 +108,7 @@ data class UnchosenPlan(
     val above: List<UnchosenPlan> = emptyList(),
 )
 
-/** The fate of a plan. */
+/** The outcome of a plan. */
 enum class Verdict {
     /** No event came for which the plan is relevant. */
     NO_EVENT,
@@ -129,7 +129,7 @@ enum class Verdict {
 /**
  * A percept that a board sent but the agent did not perceive.
  *
- * @property rule the reason why the filter dropped it, if the recording contains the filter
+ * @property rule the reason why the filter dropped the percept, if the recording contains the filter
  */
 @Serializable
 data class Missed(val text: String, val frame: Frame, val rule: String? = null)

@@ -44,7 +44,7 @@ data class Frame(
  * The arrival or the departure of a percept.
  *
  * @property isGone true for a departure
- * @property seconds the beginning of the cycle in which the agent noticed it
+ * @property seconds the beginning of the cycle in which the agent noticed the change
  * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
  * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
@@ -119,7 +119,7 @@ data class UnknownCause(val text: String, val why: String) : Cause
  * @property step the step's text in the plan
  * @property line the step's line in [Place.file] of the plan
  * @property seconds the beginning of the step's cycle
- * @property plan the plan with this step, and the reasons of its choice
+ * @property plan the plan with this step, and the reasons why the agent chose the plan
  * @property tests the tests and conditions in the plan's body that led to the step
  */
 @Serializable
@@ -176,7 +176,7 @@ data class Condition(val text: String, val value: String, val holds: Boolean = t
 /** Returns all percepts among this cause and its own causes. The percept whose event is the root comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
-/** Returns all frames among the causes of this cause. */
+/** Returns the frames of all percepts among this cause and its own causes. */
 fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
 
 /** Returns the root of this cause: the percept, the message or the program's goal whose event began the intention. */

@@ -33,8 +33,8 @@ internal class Conditions(
     }
 
     /**
-     * Returns the parts of [formula], which is false under [un], up to the first part that fails. If several ways lead to a failure, takes
-     * the first few ways.
+     * Returns the parts of [formula], which is false under [un], up to the first part that fails. If several solutions of the earlier parts
+     * lead to a failure, uses the first few.
      */
     fun failing(formula: LogicalFormula, un: Unifier): List<Condition> {
         var ways = listOf(un)

@@ -9,8 +9,8 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Finds, by trials, the nearest numbers in percepts of a [cause] with which the agent would not have sent the command. [had] replays the
- * agent with another percept in place of a percept of the cause.
+ * Finds, by trials, other numbers for the percepts of [cause]: the nearest ones with which the agent would not have sent the command. [had]
+ * replays the agent with another percept in place of a percept of the cause.
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0
@@ -32,7 +32,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     }.distinct().sortedBy { (value, place) -> abs(value - (literal.getTerm(place) as NumberTerm).solve()) }
         .map { (value, place) -> literal.copy().apply { setTerm(place, NumberTermImpl(value)) } }
 
-    /** The pairs of numbers that are compared by conditions of the command's plans, each pair in both orders. */
+    /** The pairs of numbers that the conditions of the command's plans compare, each pair in both orders. */
     private val limits = conditions(cause).flatMap { comparedIn(it.value) }.distinct()
 
     private fun conditions(of: Cause): List<Condition> = when (of) {

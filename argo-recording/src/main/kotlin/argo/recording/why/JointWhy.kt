@@ -9,17 +9,17 @@ import argo.recording.replay.RecordingException
  *
  * Close the object at the end. For one thread.
  *
- * @param recordings the recordings by their names; the first one is asked about
+ * @param recordings the recordings by their names; questions are about the first one
  */
 class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     private val names = recordings.keys.toList()
-    private val whys = recordings.values.map { lazy { Why(it) } } // which reads a whole recording
+    private val whys = recordings.values.map { lazy { Why(it) } } // lazy, since each reads a whole recording
     private val joint by lazy { JointRecordings(recordings.values.toList()) }
 
     /** Explains the commands of the first recording. */
     val first: Why get() = whys.first().value
 
-    /** Returns the [answer] that [first] has given, with the sendings of the messages at its root added. */
+    /** Returns the [answer] that [first] has given, together with the sendings of the messages that led to the answer's root. */
     fun follow(answer: Answer): Answer = answer.copy(sent = sendings(0, answer.command.agent, answer.cause))
 
     private fun sendings(place: Int, agent: String, cause: Cause?): List<SentCause> {

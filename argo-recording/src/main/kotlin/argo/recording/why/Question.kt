@@ -11,9 +11,9 @@ import kotlin.math.abs
  * @property number counts the commands of the agent, from 1
  * @property text the command, such as `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds the time since the first cycle at which the step's cycle began; for a reflex of the board, at which the board reported
- * it
- * @property cycle Jason's number of the last cycle that had begun by that time, see [argo.recording.Cycle.number]; 0: none had begun
+ * @property seconds the beginning of the step's cycle, in seconds since the first cycle; for a reflex of the board, the time of the board's
+ * report
+ * @property cycle Jason's number of the last cycle that had begun by [seconds], see [argo.recording.Cycle.number]; 0: none had begun
  * @property sent the command's number among the agent's commands to boards, from 1, as in the live view and the timeline. Null: the command
  *   was an action of the environment, or a reflex that the board carried out.
  * @property index counts the recorded cycles up to that of the command, see [argo.recording.Cycle.index]
@@ -60,7 +60,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
 
     /**
      * Returns the command of [all] that the question is about.
-     * @throws RecordingException if there is none, with commands that there are; or if several agents have the command
+     * @throws RecordingException if there is none, or if several agents have the command; the message names other commands or the agents
      */
     fun find(all: List<RecordedCommand>): RecordedCommand {
         val fitting = all.filter { isAbout(it.text) }

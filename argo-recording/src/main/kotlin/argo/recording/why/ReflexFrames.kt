@@ -6,7 +6,7 @@ import argo.recording.ReflexEnd
 /**
  * Finds the frame that caused a reflex, among the frames that an agent perceived.
  *
- * @param cycles the replayed cycles, by which frames are counted
+ * @param cycles the replayed cycles; frames are counted from the first of them
  * @param filters the filters at the beginning of the first of [cycles]
  */
 internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {

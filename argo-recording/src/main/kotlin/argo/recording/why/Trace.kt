@@ -30,8 +30,8 @@ import java.util.WeakHashMap
 
 /**
  * Follows an agent in its replay. A trace finds the causes of events, the chosen plans with their conditions, and the beliefs and commands
- * of steps. A trace passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before it
- * looks for a plan.
+ * of steps. A trace passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before
+ * the agent looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -40,7 +40,7 @@ internal class Trace(
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
 ) : Boundary by inputs {
-    /** A chosen plan, with the tests in its body since the choice. */
+    /** A chosen plan, with the tests that its body has made since the choice. */
     private class Adopted(val plan: PlanCause) {
         val tests = LinkedHashMap<String, Condition>()
     }
@@ -56,7 +56,7 @@ internal class Trace(
     var sent: Map<String, StepCause> = emptyMap()
         private set
 
-    /** The plan that the agent chose for the last event that was [taken]; null: none so far. */
+    /** The plan that the agent chose for the last event that [taken] got; null: none so far. */
     var chosen: PlanCause? = null
         private set
 
@@ -163,7 +163,7 @@ internal class Trace(
         }
     }
 
-    /** Where an intention splits into the branches of `|&|` or `|||`, assigns their steps to the plan with that operator. */
+    /** If an intention has split into the branches of `|&|` or `|||`, assigns the branches to the plan with that operator. */
     private fun adoptSplit() {
         val (means, adopted) = splitting ?: return
         splitting = null
@@ -216,7 +216,7 @@ internal class Trace(
         return Adopted(cause)
     }
 
-    /** Returns true if the plan calls itself as its last step, so that Jason forgets the earlier call. */
+    /** Returns true if [plan] calls itself as its last step, so that Jason forgets the earlier call. */
     private fun isTail(intention: Intention, plan: Plan): Boolean =
         intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
 

@@ -49,8 +49,8 @@ internal class Trial(
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
 
     /**
-     * Runs the agent up to the cycle [last]. From the cycle [from] on, [changed] changes its percepts. Returns the commands since [from].
-     * Recorded commands have their recorded outcomes; other commands end at once.
+     * Runs the agent up to the cycle [last]. From the cycle [from] on, [changed] changes the agent's percepts. Returns the commands since
+     * [from]. Recorded commands have their recorded outcomes; other commands end at once.
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
         val wanted = cycles.asSequence().takeWhile { it.index <= last }

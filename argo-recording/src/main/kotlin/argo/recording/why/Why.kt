@@ -10,10 +10,10 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Explains why the agents of [recording] issued a command, or did not. The explanation comes from watching Jason run the agents again on
- * their recorded input.
+ * Explains why the agents of [recording] issued a command, or did not. For an explanation, Jason runs an agent again on its recorded input,
+ * and a [Trace] watches the agent.
  *
- * Close it at the end. For one thread; a program can run one replay at a time.
+ * Close the object at the end. For one thread; a program can run one replay at a time.
  */
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
@@ -89,7 +89,7 @@ class Why(private val recording: Recording) : AutoCloseable {
      */
     internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? = trace(agent, cycle.index).sent[id]
 
-    /** Returns the message that is the [cause] and that [agent] has taken. */
+    /** Returns the recorded message of [cause], which [agent] has taken. */
     internal fun mailOf(agent: String, cause: MessageCause): Mail? = cyclesOf(agent).asSequence()
         .filter { clock.seconds(it.ns) == cause.seconds }.flatMap { it.input.mail }.find { it.id == cause.id && it.sender == cause.sender }
 
@@ -108,7 +108,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         return trial(agent, cycles).asRecorded(last) { inputs, answers -> Trace(inputs, answers, clock, filters) }
     }
 
-    /** Replays the agent with [percept] in place of [of]. Returns null if the agent perceived just [percept]. */
+    /** Replays the agent with [percept] in place of [of]. Returns null if [of] is [percept] itself. */
     private fun had(command: RecordedCommand, percept: Literal, of: PerceptCause?): Had? {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null
@@ -169,7 +169,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun replayable(agent: String, cycles: List<Cycle>) =
         recording.start(agent).let { start -> if (start == null) cycles else cycles.filter { it.index > start.index } }
 
-    /** Refuses a [cycle] of [agent] before the key frame at which the agent's replay begins. */
+    /** Refuses the cycle with the index [cycle] if it comes before the key frame at which the replay of [agent] begins. */
     private fun requireReplayed(agent: String, cycle: Long) {
         val start = recording.start(agent) ?: return
         if (cycle > start.index) return

@@ -15,8 +15,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 
 /**
- * A bag of ROS 2 in the MCAP format: its messages, and its types in the form in which `rosapi` describes a robot's. Only one thread at a
- * time may read messages.
+ * A bag of ROS 2 in the MCAP format: its messages, and its types in the form in which `rosapi` describes types. Only one thread at a time
+ * may read messages.
  *
  * @throws McapException if [path] is no MCAP file, or has nothing of ROS 2
  * @throws java.io.IOException if [path] cannot be read
@@ -35,7 +35,7 @@ internal class Bag(path: Path) : AutoCloseable {
         }
     }
 
-    /** The unreadable parts of the file, a sentence each. */
+    /** One sentence for each unreadable part of the file. */
     val problems: List<String> get() = reader.problems
 
     /** Returns the messages in the order of the file, each with its time since the earliest one, in ns. */

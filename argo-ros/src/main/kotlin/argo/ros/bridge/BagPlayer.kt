@@ -10,12 +10,12 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Plays [bag] in the time of [clock], beginning with the first subscription to one of its topics. A message that is earlier than the
- * message before it in the file comes together with that message. Safe for use by several threads.
+ * Plays [bag] by [clock], from the first subscription to one of the bag's topics on. If a message has an earlier time than the message
+ * before it in the file, both come together. Safe for use by several threads.
  *
- * @param worker reads the file and does the calls of the other functions, one task at a time
+ * @param worker reads the file and calls the other functions, one task at a time
  * @param isWanted returns true if the messages of a topic are to be published
- * @param tell takes the problems of the bag, and its end, which is no problem, a sentence each
+ * @param tell takes one sentence for each problem of the bag, and one for its end, which is no trouble
  */
 internal class BagPlayer(
     private val bag: Bag,
@@ -75,7 +75,7 @@ internal class BagPlayer(
     }
 
     private companion object {
-        /** The time from the first subscription to the first message, so that the other subscriptions can come. */
+        /** The time from the first subscription to the first message. Meanwhile the other subscriptions can come. */
         val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
     }
 }

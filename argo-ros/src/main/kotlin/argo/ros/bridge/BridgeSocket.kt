@@ -32,13 +32,13 @@ internal interface BridgeListener {
     /** The bridge has given a sign of life. */
     fun isAlive()
 
-    /** The bridge has answered a [Bridge.ping], so it has read everything that was sent before the ping. */
+    /** The bridge has answered a [Bridge.ping], so the bridge has read everything that was sent before the ping. */
     fun answered() = isAlive()
 
     /** A message was dropped unread. [what] describes the message. */
     fun dropped(what: String)
 
-    /** Of a bag in the bridge's place there is something to tell, a [sentence]; [isTrouble]: something of it is left out. */
+    /** Takes a [sentence] about the bag that replaces the bridge. [isTrouble] tells whether a part of the bag is left out. */
     fun told(sentence: String, isTrouble: Boolean) = Unit
 
     /** The connection is gone, for [reason]. May be called more than once. */
@@ -71,7 +71,7 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
 
 /** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
 internal interface Bridge : AutoCloseable {
-    /** Sends [message]. Hold no lock: this thread may run the callbacks of messages that have left. */
+    /** Sends [message]. The caller must hold no lock, since its thread may run the callbacks of messages that have left. */
     fun send(message: Outgoing) {
         queue(message)
         flush()
@@ -80,7 +80,7 @@ internal interface Bridge : AutoCloseable {
     /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
 
-    /** Sends the queued messages; hold no lock, as for [send]. */
+    /** Sends the queued messages. The caller must hold no lock, see [send]. */
     fun flush()
 
     /** Asks the bridge for a sign of life. */
@@ -89,7 +89,7 @@ internal interface Bridge : AutoCloseable {
 
 /**
  * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others. [client] is the client of [socket]; this
- * reference keeps it alive.
+ * reference keeps the client alive.
  */
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
@@ -173,8 +173,8 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         private val clients = HashMap<String, WeakReference<HttpClient>>()
 
         /**
-         * Returns the client for the bridge at [address]. Its thread, which reads the bytes, also handles the messages. A thread of an
-         * executor would have to be woken for each message.
+         * Returns the client for the bridge at [address]. The client's thread, which reads the bytes, also handles the messages. A thread
+         * of an executor would have to be woken for each message.
          */
         @Synchronized
         private fun clientFor(address: URI): HttpClient = clients[address.authority]?.get()
@@ -186,7 +186,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
          *
          * @throws NoSuchPortException if the host does not exist, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
-         * @throws PortFaultException if a server answers that is no bridge
+         * @throws PortFaultException if the server that answers is no bridge
          */
         fun connect(port: String, address: URI, listener: BridgeListener, credentials: Credentials = Credentials()): BridgeSocket {
             val client = clientFor(address)

@@ -3,10 +3,10 @@ package argo.ros.bridge
 import java.util.concurrent.TimeUnit
 
 /**
- * Measures how far a robot's clock is ahead of the platform's clock, from answers to questions for its time. The quickest of the last
- * [KEPT] answers counts. The robot read its clock at some time between question and answer, so the error is at most half of the time
- * between them. If a new answer differs by more than drift explains, the robot's clock was set, so earlier answers are forgotten. Safe for
- * use by several threads.
+ * Measures how far a robot's clock is ahead of the platform's clock, from the robot's answers when it is asked for its time. The quickest
+ * of the last [KEPT] answers counts. The robot read its clock at some time between question and answer, so the error is at most half of the
+ * time between them. If a new answer differs by more than drift explains, the robot's clock was set, so earlier answers are forgotten. Safe
+ * for use by several threads.
  */
 internal class ClockOffset {
     private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)

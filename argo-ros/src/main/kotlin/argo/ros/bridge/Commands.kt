@@ -37,11 +37,11 @@ import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Sends an agent's commands and finds their outcomes. Each command is sent once at most. If the connection ends before the answer, the
- * robot may have carried the command out, so it is not sent again. Safe for use by several threads.
+ * robot may have carried the command out, so the command is not sent again. Safe for use by several threads.
  *
  * @param graph the robot's graph, with the nodes that take the messages
  * @param warn takes reports of parts that were left out of a command
- * @param progress takes the newest feedback of a goal, for the rule of its percept; null: the goal has ended
+ * @param progress takes the newest feedback of a goal, with the rule that makes a percept of it; null: the goal has ended
  */
 internal class Commands(
     private val port: String,
@@ -57,10 +57,10 @@ internal class Commands(
 
     private val pending = ConcurrentHashMap<String, Pending>()
     private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule, the goal that gave feedback last
-    private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which excludes answers to other clients
+    private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which no other client uses
     private val number = AtomicLong()
 
-    /** Returns the first messages for the bridge. These announce commands, so that subscribers come in time, and subscribe to results. */
+    /** Returns the first messages to the bridge. They announce topics of commands in time for subscribers, and subscribe to results. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -81,7 +81,7 @@ internal class Commands(
         return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
     }
 
-    /** Returns true unless the command [text] is only published. An unknown command also counts; it is refused when it is sent. */
+    /** Returns false if the command [text] is only published. Returns true for an unknown command, which is refused when it is sent. */
     fun answers(text: String): Boolean = ruleOf(GroundTerm.ofOrNull(text) as? GroundTerm.Structure)?.kind != Kind.TOPIC
 
     fun send(text: String, options: SendOptions): SentCommand {
@@ -137,7 +137,7 @@ internal class Commands(
         abandon(id, entry, "has not left port $port within $ms ms", "the robot has not said it within $ms ms")
     }
 
-    /** Ends the command of [entry], since the agent has dropped its intention. */
+    /** Ends the command of [entry], whose intention the agent has dropped. */
     private fun giveUp(id: String, entry: Pending) =
         abandon(id, entry, "had not left port $port when its intention was dropped", "its intention was dropped, and its goal is cancelled")
 
@@ -150,7 +150,7 @@ internal class Commands(
         }
     }
 
-    /** Fails [entry], since its goal has reached no server. A server that appears later must not begin the goal. */
+    /** Fails [entry], whose goal has reached no server. A server that appears later must not begin the goal. */
     private fun lost(id: String, entry: Pending, reason: String) {
         if (entry.outcome.isDone) return
         val hasLeft = !entry.message.withdraw()
@@ -185,7 +185,7 @@ internal class Commands(
         )
     }
 
-    /** Handles a message of the bridge; returns false if it is not about a command. */
+    /** Handles a message of the bridge; returns false if the message is not about a command. */
     fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
         "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
         "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null
@@ -210,7 +210,7 @@ internal class Commands(
         if (feedback == null || entry.outcome.isDone) return
         progress(rule, feedback)
         progressing[entry.rule] = entry
-        if (entry.outcome.isDone) forgetFeedback(entry) // it has ended meanwhile
+        if (entry.outcome.isDone) forgetFeedback(entry) // the goal has ended meanwhile
     }
 
     /** Ends the command of [entry], which [response] has answered. */
@@ -238,7 +238,7 @@ internal class Commands(
         }
     }
 
-    /** Returns the command of a published result or feedback of ROS 1, and the message. */
+    /** Returns the command to which a published result or feedback of ROS 1 belongs, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null

@@ -45,7 +45,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         }
     }
 
-    /** Returns the pose of the child of [of] in the parent; null: the two frames are not connected. */
+    /** Returns the pose of the child frame of [of] in the parent frame of [of]; null: the two frames are not connected. */
     fun pose(of: Frames, nowNanos: Long): Pose? {
         val (up, down) = wayFrom(of.child) to wayFrom(of.parent)
         if (topOf(of.child, up) != topOf(of.parent, down)) {
@@ -62,7 +62,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         if (told.add(of)) warn("frames ${of.parent} and ${of.child} are not connected; ${known()}")
     }
 
-    /** Warns of frames that are not connected, however short they have been so. */
+    /** Warns of wanted frames that are not connected, even before [LIMIT_NANOS] are over. */
     fun explain() = wanted.filter { pose(it, begunNanos ?: 0) == null }.forEach(::tellApart)
 
     /**

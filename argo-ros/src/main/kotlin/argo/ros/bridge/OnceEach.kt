@@ -1,6 +1,6 @@
 package argo.ros.bridge
 
-/** Logs each text once, and at most [MAX_TEXTS] texts, since a bridge may send any number of them. Safe for use by several threads. */
+/** Logs each text once, and at most [MAX_TEXTS] texts, since a bridge may send any number of texts. Safe for use by several threads. */
 internal class OnceEach(private val log: (String) -> Unit) : (String) -> Unit {
     private val told = HashSet<String>()
 

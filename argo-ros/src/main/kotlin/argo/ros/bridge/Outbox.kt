@@ -12,7 +12,7 @@ import kotlin.concurrent.withLock
  * @property replaces whether the message replaces waiting messages of its [functor]
  */
 internal class Outgoing(val text: String, val isUrgent: Boolean = false, val functor: String? = null, val replaces: Boolean = false) {
-    /** Completes when the system has taken the message; completes exceptionally if it never will. Any thread may complete it. */
+    /** Completes when the system has taken the message; completes exceptionally if the message never leaves. Any thread may complete it. */
     val left = CompletableFuture<Unit>()
 
     @Volatile
@@ -58,7 +58,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         waiting.removeAll(replaced.toSet())
     }
 
-    /** Hands the next message to the connection if it takes one. */
+    /** Hands the next message to the connection if the connection is free. */
     fun flush() {
         val message = lock.withLock {
             if (isBusy || isClosed) return

@@ -1,11 +1,11 @@
 package argo.ros.bridge
 
-/** A percept of [topic] that a message had when it came. The message was true at [trueNanos], by the platform's clock. */
+/** A percept that a message of [topic] gave when it came. The message was true at [trueNanos], by the platform's clock. */
 internal class Percept(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
 
 /**
- * Percepts that are each an event, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost, and [warn] takes their number,
- * ever more seldom. Not safe for use by several threads at once.
+ * Percepts of which each is an event, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost, and [warn] takes their number
+ * at each power of two. Not safe for use by several threads at once.
  */
 internal class PerceptEvents(private val warn: (String) -> Unit) {
     private val waiting = ArrayDeque<Percept>()

@@ -14,7 +14,7 @@ import java.util.concurrent.Executor
  *
  * @param bag the bag whose messages are published; null: [publish] publishes messages
  * @param worker reads the bag, one task at a time
- * @param heard takes each message to a topic, and the request or goal of each service and action, with its name
+ * @param heard takes each published message, request and goal, with the name of its topic, service or action
  */
 internal class PlayedBridge(
     private val listener: BridgeListener,
@@ -37,7 +37,7 @@ internal class PlayedBridge(
 
     override fun ping() = listener.isAlive()
 
-    /** Makes [service], or an action of this name, answer [response] from now on. */
+    /** From now on [service], or an action of this name, answers with [response]. */
     fun respond(service: String, response: JsonObject) {
         responses[service] = response
     }

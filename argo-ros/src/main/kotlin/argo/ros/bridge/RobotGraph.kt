@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands that have no effect without other nodes. Safe for
- * use by several threads.
+ * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands for which a node is missing. Safe for use by several
+ * threads.
  */
 internal class RobotGraph(
     private val mapping: Mapping,
@@ -31,7 +31,7 @@ internal class RobotGraph(
         }
     }
 
-    /** Warns if nobody serves the service of [rule], or its type is another one. */
+    /** Warns if no node offers the service of [rule], or if the service has another type. */
     private fun lookForService(rule: CommandRule) {
         if ("/_" in rule.target) return // hidden, so that rosapi does not show it
         api.ask("/rosapi/service_type", mapOf("service" to rule.target)).thenAccept { answer ->
@@ -63,7 +63,7 @@ internal class RobotGraph(
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 
-    /** Looks for the reason of a long silence of [topic], and warns if no message can come. */
+    /** Looks for the reason why [topic] has long been silent, and warns if no message can come. */
     fun explainSilence(topic: String, type: String) {
         compareType(topic, type)
         api.ask("/rosapi/publishers", mapOf("topic" to topic)).whenComplete { answer, trouble ->
@@ -74,8 +74,7 @@ internal class RobotGraph(
 
     /**
      * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 this is only probable, so this function only
-     * warns.
+     * [lost] is called with the reason if the command's goal reaches no server. In ROS 2 that is uncertain, so this function only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -103,7 +102,7 @@ internal class RobotGraph(
         return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
     }
 
-    /** Does [work] if `rosapi` shows an action's topics but no server. An action's client creates these topics, too. */
+    /** Does [work] if `rosapi` shows an action's topics but not its server. An action's client creates these topics, too. */
     private fun ifMissing(rule: CommandRule, work: () -> Unit) {
         val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
         isShown.thenCompose { type ->

@@ -7,9 +7,9 @@ import java.util.concurrent.TimeUnit
  * Finds when a robot's messages were true, by the platform's clock. The calculation uses the offset of the robot's clock or, if the robot's
  * time is simulated, `/clock`. Safe for use by several threads.
  *
- * @param clockIsThere called with the type of the topic [CLOCK] if it exists; the caller then passes the topic's messages to [show]
+ * @param clockIsThere called with the type of the topic [CLOCK] if the topic exists; the caller then passes the topic's messages to [show]
  * @param warn takes a warning if the time stamps of a topic are useless
- * @param tell takes a sentence that names the clock behind the ages of messages
+ * @param tell takes a sentence that tells which clock the ages of messages depend on
  */
 internal class RobotTime(
     private val clock: LineClock,
@@ -30,7 +30,7 @@ internal class RobotTime(
 
     @Volatile
     private var dueNanos: Long? = null // time of the next question; null: an answer is pending
-    private var toldNanos: Long? = null // used by the bridge's thread only, as the next one
+    private var toldNanos: Long? = null // only the bridge's thread uses this field and the next one
     private var answers = 0
 
     fun ask() {
@@ -83,9 +83,9 @@ internal class RobotTime(
     }
 
     /**
-     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The message came at [nowNanos],
-     * which is the latest result. For a stamp older than [MAX_AGE_NANOS] or far ahead, which comes from another clock, the result is also
-     * [nowNanos]. Null as [stampNanos]: the message has no stamp.
+     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The result is never later than
+     * [nowNanos], when the message came. The result is [nowNanos] if there is no stamp, or if the stamp is of another clock: far ahead, or
+     * older than [MAX_AGE_NANOS].
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos

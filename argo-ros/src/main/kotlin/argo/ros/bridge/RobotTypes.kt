@@ -79,8 +79,8 @@ internal class RobotTypes(
     private val answering = mapping.commands.filter { it.answer != null }
 
     /**
-     * Asks for the types, and checks the mapping's fields and constant values. A type whose description comes late is checked when it
-     * comes.
+     * Asks for the types, and checks the mapping's fields and constant values. A type whose description comes late is checked when the
+     * description comes.
      *
      * @param limitMs the time that the bridge has to describe its types, in ms
      * @throws MappingException if a field does not exist, or cannot have its value
@@ -111,7 +111,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the bridge lists the searched paths
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the bridge lists the searched paths
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -186,7 +186,7 @@ internal class RobotTypes(
         /** The reason in the warning about a type for which `rosapi` of ROS 2 answers without a description. */
         const val UNKNOWN = "it is not described"
 
-        /** Parts of a bridge's messages about a type that it does not have. */
+        /** Parts of a bridge's messages about a type that the bridge lacks. */
         val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
     }
 }

@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so they are
- * found only by asking. Safe for use by several threads.
+ * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so only
+ * questions find the mistakes. Safe for use by several threads.
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
     /** An answer, and the time of its arrival by the platform's clock. */
@@ -30,7 +30,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         private set
 
     /**
-     * Calls [service]. The answer completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
+     * Calls [service]. The result completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
@@ -43,7 +43,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return call
     }
 
-    /** Handles a message of the bridge that came at [nowNanos]; returns false if it answers no call of this object. */
+    /** Handles a message that came from the bridge at [nowNanos]; returns false if the message answers no call of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
         val call = calls[id] ?: return true // the call's time is over, or the link is closed

@@ -29,8 +29,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * Adds a sample for the time at which the simulator's clock went on. If a silence ends with [simNanos] at [atNanos], assumes that the
-     * clock first stood and then ran at its previous speed.
+     * Adds a sample for the time at which the simulator's clock went on. A silence has ended with [simNanos] at [atNanos]: the clock is
+     * assumed to have stopped at first, and then to have run at its previous speed.
      */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
@@ -46,8 +46,8 @@ internal class SimulatedClock {
 
     /**
      * Returns the last time of the platform's clock at which the simulator showed [stampNanos], as known at [nowNanos]. The result is in
-     * the future if the simulator has yet to show that time; but it is [nowNanos] if its clock stands. Null: the simulator has shown no
-     * time.
+     * the future if the simulator has yet to show that time; but it is [nowNanos] if the simulator's clock has stopped. Null: the simulator
+     * has shown no time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {

@@ -14,12 +14,12 @@ import argo.ros.mapping.asTerm
 
 /**
  * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
- * [queueLength] messages for that time. With 1, no message waits behind another one, and messages that are left out cost no time here. With
- * 0 and no least time, the bridge sends each message at once.
+ * [queueLength] messages for that time. If [queueLength] is 1, no message waits behind another one, and messages that are left out cost no
+ * time here. If it is 0 and there is no least time, the bridge sends each message at once.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
-/** Returns the subscriptions under this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
+/** Returns the subscriptions for this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
     return rules.groupBy { it.topic }.flatMap { (topic, its) ->

@@ -32,7 +32,7 @@ internal class TopicMessages(
     private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
     private val unthrottled = eachRules.keys + rules.filter { it.frames != null }.map { it.topic }
     private val changing = rules.filter { !it.needsEach }.map { it.topic }.toSet()
-    private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with a time
+    private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with a time and a condition
     private val events = PerceptEvents(warn)
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
@@ -82,7 +82,7 @@ internal class TopicMessages(
     /** Returns true if [take] would return new percepts at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean = isNew || events.isNew || dueNanos()?.let { it - nowNanos <= 0 } == true
 
-    /** Returns when the percepts change without a new message, by the platform's clock; null: never. */
+    /** Returns the time, by the platform's clock, at which the percepts change without a new message; null: never. */
     fun dueNanos(): Long? {
         val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.firstOrNull()?.receivedNanos else null
         return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }

@@ -37,7 +37,7 @@ class RosToolProvider : ToolProvider {
     override fun command(): Any = RosCommand()
 }
 
-/** `ros check`: a mapping, by itself and against a robot. */
+/** `ros check`: checks a mapping, by itself and against a robot. */
 @Command(
     name = "check",
     description = [

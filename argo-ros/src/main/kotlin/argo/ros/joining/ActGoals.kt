@@ -36,7 +36,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
         synchronized(this) { report() } // clients wait for the first status
     }
 
-    /** Notes the goal [id] and returns its name; makes a new name if [id] is empty. Null: the goal has come before. */
+    /** Notes the goal [id] and returns its name; makes a new name if [id] is empty. Returns null if the goal has come before. */
     fun begin(id: String): String? = synchronized(this) {
         val name = id.ifEmpty { "argo-goal-${++number}" }
         if (goals.any { it.id == name }) return null

@@ -30,7 +30,7 @@ internal class AgentRos(
         synchronized(this) {
             val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
             val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics, warn)) }
-            if (board.publishedNanos == message.receivedNanos) return // it comes again when held-back percepts are due
+            if (board.publishedNanos == message.receivedNanos) return // published already; it comes again for held-back percepts
             board.publishedNanos = message.receivedNanos
             board.publisher.publish(message.texts)
         }

@@ -9,7 +9,7 @@ import javino.NoSuchPortException
 /** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/** The bridge to a graph. */
+/** The address of the bridge to a graph, and the credentials for this bridge. */
 internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) {
     companion object {
         private val NUMBER = Regex("[0-9]+")
@@ -18,7 +18,7 @@ internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) 
          * Reads `HOST:PORT`, also in the form of an agent's port, `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`,
          * as for an agent's port.
          *
-         * @throws RefusedAddress with the reason
+         * @throws RefusedAddress if [text] is no such address, or the token cannot be read
          */
         fun of(text: String): BridgeAddress {
             if (NUMBER.matches(text)) throw RefusedAddress(

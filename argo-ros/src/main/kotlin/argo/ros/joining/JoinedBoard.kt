@@ -15,8 +15,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A board in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each command
- * is sent once at most.
+ * A board that is in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each
+ * command is sent once at most.
  *
  * @param intervalMs the time from one request to the next, in ms
  * @param timeoutMs the longest time for an answer, in ms
@@ -48,7 +48,7 @@ internal class JoinedBoard(
     override val actions: List<BoardAction>?
         get() = (link?.actions ?: known)?.takeIf { it.isNotEmpty() }?.also { known = it }
 
-    /** Begins to ask the board. Call it once. */
+    /** Begins to ask the board. Call this once. */
     fun start() = thread.start()
 
     private val isClosed get() = closed.count == 0L
@@ -143,8 +143,8 @@ internal class JoinedBoard(
 }
 
 /**
- * Returns the outcome of a command with the failure [trouble], under the agent's name for it. Null as [trouble]: the command was carried
- * out.
+ * Returns the outcome of a command that failed with [trouble], under the failure's name for agents. If [trouble] is null, the command was
+ * carried out.
  */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble

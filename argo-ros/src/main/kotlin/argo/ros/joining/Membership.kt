@@ -20,9 +20,9 @@ import java.util.concurrent.TimeoutException
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Keeps [participant] in the ROS graph behind a bridge. Advertises the participant's services and topics, again after each return of the
- * bridge or the graph. Publishes the participant's newest messages. All work happens on a thread of this object, and no caller waits for
- * it.
+ * Keeps [participant] in the ROS graph behind a bridge. Advertises the participant's services and topics, and does so again when the bridge
+ * or the graph has returned. Publishes the participant's newest messages. All work happens on a thread of this object, and no caller waits
+ * for it.
  *
  * @param tell takes a line about the connection, for the user
  * @param warn takes reports of things that the graph does not learn or does not accept, each text once
@@ -50,7 +50,7 @@ internal class Membership(
     @Volatile
     private var isClosed = false
 
-    /** Begins to take part. Call it once. */
+    /** Begins to take part. Call this once. */
     fun start() {
         topics.onNews = { news.release() }
         thread.start()
@@ -73,7 +73,7 @@ internal class Membership(
         farewell.close()
     }
 
-    /** Takes part until the connection ends or this is closed. Returns the time in ms before the next visit. */
+    /** Takes part until the connection ends or this object is closed. Returns the time in ms before the next visit. */
     private fun visit(): Long {
         val connection = Connection()
         connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.credentials)
@@ -143,7 +143,7 @@ internal class Membership(
 
         private fun send(message: Outgoing) = bridge.send(message)
 
-        /** Sends an answer before waiting messages. Leaves a bridge that asks for more answers than it reads. */
+        /** Sends an answer ahead of the waiting messages. Leaves the bridge if it asks for more answers than it reads. */
         private fun answer(operation: String) {
             if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
             val message = Outgoing(operation, isUrgent = true)
@@ -169,7 +169,7 @@ internal class Membership(
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
-                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the rest
+                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge withdraws the rest
                 bridge.send(last)
                 try {
                     last.left.get(CLOSING_MS, TimeUnit.MILLISECONDS)
@@ -187,7 +187,7 @@ internal class Membership(
     private companion object {
         const val RETRY_MS = 1_000L
 
-        /** A ROS 1 bridge keeps a client's publishers for ten seconds and reuses them, even in a new graph that does not have them. */
+        /** A ROS 1 bridge keeps a client's publishers for ten seconds and reuses them, even in a new graph that does not know them. */
         const val REJOINING_MS = 12_000L
         const val LEAVING_MS = 2_000L
         const val CLOSING_MS = 1_000L

@@ -34,7 +34,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
 
     private fun send(bridge: Bridge, messages: List<Outgoing>) {
         if (messages.isEmpty()) return bridge.ping()
-        messages.last().left.whenComplete { _, _ -> bridge.ping() } // now the ping goes out behind all messages
+        messages.last().left.whenComplete { _, _ -> bridge.ping() } // so the ping goes out behind all messages
         messages.forEach(bridge::queue)
         bridge.flush()
     }

@@ -10,9 +10,9 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * A participant's services, topics and action on one connection to a bridge, through which the graph sends it commands. Each action of the
- * participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may call [hear],
- * another one [renew]. [warn] takes reports of actions that the graph does not learn, each text once.
+ * A participant's services, topics and action on one connection to a bridge. Through them the graph sends commands to the participant. Each
+ * action of the participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may
+ * call [hear], and another thread [renew]. [warn] takes reports of actions that the graph does not learn, each text once.
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action the action's name; null: any command, as text */
@@ -77,7 +77,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         return named.toMap() + (action to Offer(null, emptySet()))
     }
 
-    /** Handles an operation of the bridge; returns false if it is not about an offer. */
+    /** Handles an operation of the bridge; returns false if the operation is not about an offer. */
     fun hear(operation: JsonObject): Boolean {
         when (operation.text("op")) {
             "call_service" -> called(operation)
@@ -119,11 +119,11 @@ internal class Offers(private val participant: Participant, private val send: (S
     private fun goalSent(operation: JsonObject) = act(offers[action], action, operation.part("args"), SendOptions.defaults()) {
         val status = if (it.error == null) SUCCEEDED else ABORTED
         val (id, name) = operation.text("id") to operation.text("action")
-        // the bridge would drop the values with a result of false
+        // if result were false, the bridge would drop the values
         send(operation("action_result", "id" to id, "action" to name, "values" to it.response, "status" to status, "result" to true))
     }
 
-    /** Passes the command to the participant, and calls [done] once with the outcome. */
+    /** Passes the command in [request] to the participant, and calls [done] once with the outcome. */
     private fun act(offer: Offer?, name: String, request: JsonObject?, options: SendOptions, done: (Outcome) -> Unit) {
         val command = try {
             offer ?: throw RefusedRequest("there is no $name any more")
@@ -153,7 +153,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Makes the newest command of a topic replace its waiting commands. */
+        /** Lets the newest command of a topic replace the topic's waiting commands. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

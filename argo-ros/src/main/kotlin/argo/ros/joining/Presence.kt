@@ -12,7 +12,7 @@ import argo.ros.mapping.rosType
 internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
     private var wasSeen = false // only the bridge's thread uses it
 
-    /** Asks for the graph, and compares it with [topics] and [services], each with its type. */
+    /** Asks what the graph has, and compares that with [topics] and [services], each with its type. */
     fun check(topics: Map<String, String>, services: Map<String, String>) {
         api.ask("/rosapi/topics").thenCombine(api.ask("/rosapi/services")) { known, offered ->
             val shown = known.texts("topics").orEmpty().zip(known.texts("types").orEmpty()).toMap()

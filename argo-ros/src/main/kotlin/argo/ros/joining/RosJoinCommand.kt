@@ -13,7 +13,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.util.concurrent.CountDownLatch
 
-/** `ros-join`: boards in a ROS graph. */
+/** `ros-join`: puts boards into a ROS graph. */
 @Command(
     name = "ros-join",
     description = [

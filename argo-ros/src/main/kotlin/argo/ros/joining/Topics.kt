@@ -4,7 +4,7 @@ import kotlinx.serialization.json.JsonObject
 
 /**
  * A participant's topics: the type of each, and its newest messages. A new message waits until the bridge has read the earlier ones, so a
- * slow bridge delays nobody and gets no old messages. Safe for use by several threads; no function waits. [warn] takes warnings for the
+ * slow bridge delays no thread and gets no old messages. Safe for use by several threads; no function waits. [warn] takes warnings for the
  * user, each text once.
  */
 internal class Topics(private val warn: (String) -> Unit) {
@@ -43,7 +43,7 @@ internal class Topics(private val warn: (String) -> Unit) {
         }
     }
 
-    /** Makes the newest messages of all topics wait again, for a graph without them. */
+    /** Lets the newest messages of all topics wait again, for a graph that does not have them. */
     fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
 
     companion object {

@@ -21,7 +21,7 @@ internal sealed interface Condition : Expression {
             }
         }
 
-        /** Returns true if [value] is true or false, and [constant] is neither, as in `data == 'True'` of a Bool. */
+        /** Returns true if [value] is a boolean, but the [text] of [constant] is not, as in `data == 'True'` of a Bool. */
         private fun isOtherThanTruth(value: Value, constant: Expression, text: String) =
             (value == Value.TRUE || value == Value.FALSE) && constant is Expression.Constant && text != "true" && text != "false"
 

@@ -59,7 +59,7 @@ internal sealed interface Expression {
         }
     }
 
-    /** A literal. [place] is the place of a literal without quotes within other literals, which may be meant as a field or a function. */
+    /** A literal. [place] is set for a literal without quotes within another literal, since a field or a function may be meant. */
     data class Compound(val functor: String, val arguments: List<Expression>, val place: Place? = null) : Expression {
         override val parts get() = arguments
 

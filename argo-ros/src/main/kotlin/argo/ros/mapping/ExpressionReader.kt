@@ -122,7 +122,7 @@ internal class ExpressionReader(
         return Value.Number(number)
     }
 
-    /** Returns the text that [quoted] means: in it a backslash stands before a quote or another backslash. */
+    /** Returns the text that [quoted] means. Within [quoted], a quote or a backslash has a backslash in front. */
     private fun unescaped(quoted: String, place: Place): String = ESCAPE.replace(quoted.substring(1, quoted.length - 1)) { escape ->
         escape.groupValues[1].takeIf { it == "\"" || it == "\\" }
             ?: throw Refusal(place, "behind \\ in a string there is \" or \\, and not '${escape.groupValues[1]}'")
@@ -184,7 +184,7 @@ internal class ExpressionReader(
         private val QUOTED = Regex("'[^'\\\\]+'")
         private val ZERO = Expression.Constant(Value.Number(0.0))
 
-        /** Returns the atom [quoted] without its quotes if it needs none. */
+        /** Returns the atom [quoted], without its quotes if it needs no quotes. */
         private fun plain(quoted: String): String =
             quoted.removeSurrounding("'").takeIf { Regex("[a-z][A-Za-z0-9_]*").matches(it) && GroundTerm.ofOrNull(it) != null } ?: quoted
     }

@@ -12,7 +12,7 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
     SIN(A_NUMBER, ofNumber(Math::sin)),
     COS(A_NUMBER, ofNumber(Math::cos)),
 
-    /** An angle in degrees, which is given in rad. */
+    /** Converts an angle from rad to degrees. */
     DEG(A_NUMBER, ofNumber(Math::toDegrees)),
     MIN(NUMBERS, ofNumbers { it.minOrNull() }),
     MAX(NUMBERS, ofNumbers { it.maxOrNull() }),
@@ -47,12 +47,12 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
 private const val A_NUMBER = "a number"
 private const val NUMBERS = "a list with numbers, or several numbers"
 
-/** Words that are nearly a shorter name are not taken for slips of it: `pos` may be no `cos`. */
+/** The shortest name that a slip may mean: `pos` need not mean `cos`. */
 private const val SHORTEST_SLIP = 4
 
 private fun ofNumber(work: (Double) -> Double): (List<Value>) -> Value? = { it.singleOrNull()?.number()?.let(work)?.let(Value::of) }
 
-/** Items of a list that were not measured are passed over. */
+/** Leaves out those items of a list that were not measured. */
 private fun ofNumbers(work: (List<Double>) -> Double?): (List<Value>) -> Value? = { arguments ->
     val numbers =
         if (arguments.size == 1) arguments[0].list()?.mapNotNull { Value.of(it).number() }

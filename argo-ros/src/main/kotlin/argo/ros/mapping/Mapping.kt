@@ -15,7 +15,7 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
     /** The rules for the poses of frames. */
     val poses: List<PerceptRule> = percepts.filter { it.frames != null }
 
-    /** Sentences about percepts that an agent cannot tell apart, that no message changes, or that come of one frame after the other. */
+    /** Sentences about percepts that an agent cannot tell apart, that no message changes, or that are about one frame after the other. */
     val doubts: List<String>
         get() = percepts.groupBy { it.shape }.filterKeys { it != null }.values
             .filter { rules -> rules.size > 1 && rules.any { it.topic != rules[0].topic || it.condition == null } }.map(::alike) +
@@ -57,7 +57,7 @@ internal class PerceptRule(
     val isOfEach: Boolean = false,
     val frames: Frames? = null,
 ) {
-    /** The percept without its values, by which an agent distinguishes it from others; null: it has no values. */
+    /** The percept's functor and constants, by which an agent distinguishes it from others; null: it has only constants. */
     val shape: List<Any?>?
         get() = percept.arguments.map { (it as? Expression.Constant)?.value }.takeIf { null in it }?.plus(percept.functor)
 
@@ -73,7 +73,7 @@ internal class PerceptRule(
     val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
 }
 
-/** The frames of a rule for a pose: that of [child] in [parent], from the transforms that all nodes publish. */
+/** The frames of a rule for the pose of [child] in [parent], which results from the transforms that all nodes publish. */
 internal data class Frames(val parent: String, val child: String) {
     companion object {
         const val TYPE = "tf2_msgs/TFMessage"
@@ -89,10 +89,10 @@ internal data class Frames(val parent: String, val child: String) {
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
- * @property hasFields whether the mapping has fields, perhaps none, in brackets
+ * @property hasFields whether the rule has brackets for fields, even empty ones
  * @property withinMs the time that the outcome may take, in ms
  * @property answer the answer to the agent, made of fields of the response or result; null: the list of all its fields
- * @property feedback the percept of the feedback of an action while its goal is under way; null: none
+ * @property feedback the rule that makes percepts of an action's feedback while its goal is under way; null: none
  */
 internal class CommandRule(
     val place: Place,
@@ -109,7 +109,7 @@ internal class CommandRule(
 ) {
     /** The way in which a command is carried out. [defaultMs] is its time limit in ms if the rule has none. */
     enum class Kind(val defaultMs: Long) {
-        /** The subscribers of the topic act. The command ends when it has left. */
+        /** The subscribers of the topic act. The command ends when its message has left. */
         TOPIC(TimeUnit.SECONDS.toMillis(5)),
 
         /** The command ends with the response. */

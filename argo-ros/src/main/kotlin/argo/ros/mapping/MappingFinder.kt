@@ -53,7 +53,7 @@ private fun text(source: String, read: () -> String): String = try {
 /**
  * Reads the credentials for the bridge of the mapping [name] from the files `NAME.ros.token` and `NAME.ros.secret` in [directory].
  *
- * @throws MappingException if one of these files cannot be read, or holds no token
+ * @throws MappingException if one of these files cannot be read, or holds no token or secret
  */
 internal fun findCredentials(name: String, directory: Path = Path.of("").toAbsolutePath()) =
     Credentials(findToken(name, "token", directory), findToken(name, "secret", directory))

@@ -47,7 +47,7 @@ internal fun mappingOf(text: String, source: String): Mapping {
 
 private class Item(val text: String, val place: Place)
 
-/** A comment may contain tabulators, or stand behind tabulators. */
+/** A comment may contain tabulators, or come behind tabulators. */
 private val COMMENT = Regex("(^|[ \t]+)#.*")
 private val ITEM = Regex("( *)- +(.*)")
 private val KEY = Regex("([A-Za-z_]+) *:(.*)")

@@ -31,7 +31,7 @@ internal data class FieldType(val name: String, val length: Int) {
 }
 
 /**
- * A type of messages, as a robot describes it with all types in it. Immutable.
+ * A type of messages, as a robot describes it, together with all types within it. Immutable.
  *
  * @property name the type, as the mapping writes it
  * @property constants the values of the type's constants, and of the constants of types within it
@@ -138,7 +138,7 @@ internal class MessageType private constructor(
     /**
      * Checks that an argument of a command can be the value of the field at [path].
      *
-     * @throws Unfit if there is no such field, or it is a message, which no argument is
+     * @throws Unfit if there is no such field, or the field is a message, which no argument can be
      */
     fun requireNoMessage(path: Path) {
         val type = typeAt(path)?.takeIf { it.length == FieldType.SINGLE && isMessage(it) } ?: return

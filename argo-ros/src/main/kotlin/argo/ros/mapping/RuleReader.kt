@@ -55,8 +55,8 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = cond
 private val NO_PERCEPT = Value.Text("")
 
 /**
- * Refuses names that seem to be meant as fields: atoms without quotes behind the first field, unlike `f` in `dist(f, range)`, and functors
- * with a field's name.
+ * Refuses names that seem to be meant as fields: atoms without quotes behind the first field, whereas `f` in `dist(f, range)` is accepted,
+ * and functors with a field's name.
  */
 private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")

@@ -33,7 +33,7 @@ internal class MessageScope(
     private fun constant(name: String): Value = constants[name]?.let(Value::of)
         ?: Value.None("there is no field $name, and no constant $name is known; rosapi describes constants")
 
-    /** Returns the part of [at] at the steps of [path] from [index] on. */
+    /** Begins at the part [at], follows the steps of [path] from [index] on, and returns the part at their end. */
     private fun part(at: JsonElement, path: Path, index: Int): Value {
         val step = path.getOrNull(index) ?: return Value.Part(at)
         val inner = when (step) {
@@ -70,5 +70,5 @@ internal class MessageScope(
 
 private val CONSTANT = Regex("[A-Z][A-Z0-9_]+")
 
-/** Returns the constant of a type that [path] may name; null: [path] names none, since a constant's name is in capital letters. */
+/** Returns the name of the constant that [path] may mean, which is in capital letters; null: [path] means no constant. */
 internal fun constantIn(path: Path): String? = (path.singleOrNull() as? Step.Name)?.name?.takeIf(CONSTANT::matches)

@@ -18,7 +18,7 @@ internal sealed interface Step {
      * end. A sector that ends before it begins goes on at the beginning of the list. Further steps of the path apply to each of its items.
      */
     data class Sector(val from: Int?, val to: Int?) : Step {
-        /** Returns the places of the sector in a list of [size] items; null: the list is too short. */
+        /** Returns the indexes of the sector's items in a list of [size] items; null: the list is too short. */
         fun indicesIn(size: Int): List<Int>? {
             val (start, end) = listOf(from ?: 0, to ?: size).map { if (it < 0) size + it else it }
             return when {

@@ -83,7 +83,7 @@ private fun listOf(array: JsonArray): Value {
 /** Returns [message] as the list of its fields, each a literal with the field's name and value. */
 private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
 
-/** Returns the list of [items], each as the argument of its functor; an item with an empty functor stands alone. */
+/** Returns the list of [items], each as the argument of its functor; an item whose functor is empty is written without a functor. */
 private fun terms(items: List<Pair<JsonElement, String>>): Value {
     val terms = items.map { (item, functor) ->
         val value = Value.of(item)
@@ -107,10 +107,10 @@ private fun functorOf(name: String) = when {
 
 private const val UNREADABLE = "\u0000"
 
-/** The greatest length of a text in a list or a message, which are often unread; a text that a rule names may be longer. */
+/** The greatest length of a text in a list or a message, since agents rarely read these. A text that a rule names may be longer. */
 private const val MAX_TEXT = 10_000
 
-/** The atom that replaces an item or a field that is infinite or no number, so that the others keep their places. */
+/** The atom that replaces an item or a field that is infinite or no number, so that the other items keep their places. */
 private val NOT_MEASURED = Value.Symbol("null")
 
 /** Returns this value's number, rounded to a double; null: it is no number. */

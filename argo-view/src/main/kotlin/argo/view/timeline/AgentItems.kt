@@ -12,9 +12,9 @@ import argo.recording.Step
 /**
  * Makes the items of one agent from its cycles, in order, and links each item with its recorded causes.
  *
- * @param agent the place of the agent among those of the recording
+ * @param agent the index of the agent among those of the timeline
  * @param zeroNs the beginning of the timeline, in ns of the agent's clock
- * @param items takes the items of all agents
+ * @param items the list of all agents' items, to which the items are added
  * @param outcomes the outcomes of the agent's commands, by their numbers
  */
 internal class AgentItems(
@@ -33,7 +33,7 @@ internal class AgentItems(
     /** The steps that sent messages, by the messages' names. */
     val sent = HashMap<String, Int>()
 
-    /** The items of messages that came, each with the message. */
+    /** The items of received messages, each with its message. */
     val taken = ArrayList<Pair<Int, Mail>>()
 
     fun add(cycle: Cycle) {

@@ -24,10 +24,10 @@ internal enum class Lane {
 }
 
 /**
- * An event in the recording of an agent. Immutable.
+ * An item on the timeline of a recorded agent. Immutable.
  *
- * @property id the item's place in [Timeline.items]
- * @property agent the place of its agent in [Timeline.agents]
+ * @property id the item's index in [Timeline.items]
+ * @property agent the index of its agent in [Timeline.agents]
  * @property from the item's beginning, in seconds since the beginning of the recording
  * @property until the item's end; null: it took no time
  * @property text a short description

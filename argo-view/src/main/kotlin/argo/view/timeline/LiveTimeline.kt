@@ -33,7 +33,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
     }
 
-    /** Takes the present recording, for one page at a time, so that many pages cost no more memory than one. */
+    /** Reads the present recording, for one page at a time, so that many pages take no more memory than one. */
     @Synchronized
     private fun taken(): HttpResponse {
         val recording = try {

@@ -20,7 +20,7 @@ internal class PlanLinks {
     /** The last failed step; null: none. */
     var failed: Int? = null
 
-    /** Returns the step that caused the event of a goal, [trigger]; null: the agent began with the goal, or the goal came from outside. */
+    /** Returns the step that caused the goal event [trigger]; null: the agent began with the goal, or the goal came from outside. */
     fun posing(trigger: String): Int? = if (trigger.startsWith('-')) failed else posing[functor(trigger.drop(2))]
 
     /** Returns the number of the intention in which [step] posed its goal; null: the goal began an intention of its own. */
@@ -45,7 +45,7 @@ internal class PlanLinks {
         return events[key]
     }
 
-    /** Notes that [step], with the item [id], was carried out. */
+    /** Notes that [step] was carried out. [id] is the id of the step's item. */
     fun stepped(id: Int, step: Step, text: String) {
         if (!text.startsWith("!!")) intentions[id] = step.intention
         if (text.startsWith('!') || text.startsWith('?')) posing[functor(text.trimStart('!', '?'))] = id

@@ -9,7 +9,7 @@ import java.time.Duration
 @Serializable
 internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
 
-/** [count] items too close together to be drawn. [id] is the first failure or, without a failure, the first item. */
+/** [count] items that are too close together to be drawn one by one. [id] is the first failure or, without a failure, the first item. */
 @Serializable
 internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
 
@@ -18,7 +18,7 @@ internal class Heap(val from: Double, val until: Double, val count: Int, val isB
 internal class Related(val item: Item, val causes: List<Item>, val effects: List<Item>)
 
 /**
- * The events of a recording's agents, with their causes. Immutable.
+ * The items of a recording's agents, with their causes. Immutable.
  *
  * @property agents the names of the agents
  * @property seconds the length of the recording
@@ -77,7 +77,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         return reached.drop(1).map(items::get)
     }
 
-    /** Returns the place of the first item that begins at [time] or later; with [isAfter], later than [time]. */
+    /** Returns the index of the first item that begins at [time] or later; with [isAfter], later than [time]. */
     private fun List<Item>.firstFrom(time: Double, isAfter: Boolean = false): Int =
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
@@ -86,7 +86,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         fun of(recording: Recording, last: Duration? = null): Timeline = ofAll(listOf(recording), listOf(0), last)
 
         /**
-         * Reads [recordings] of several programs, as of the computers of a fleet.
+         * Reads [recordings] of several programs, such as those on the computers of a fleet.
          *
          * @param aheadNs the time by which each recording's clock is ahead of the first one's, in ns
          */

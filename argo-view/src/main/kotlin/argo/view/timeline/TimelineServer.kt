@@ -13,7 +13,7 @@ import java.nio.file.Path
 import java.util.concurrent.Executors
 
 /**
- * Serves the page of [timeline], and the pieces for its drawing, to browsers on this computer.
+ * Serves the page of [timeline], and the parts that the page draws, to browsers on this computer.
  *
  * @param files the recordings; their names are the title
  * @param problems the parts of the recording that cannot be read
