@@ -38,7 +38,7 @@ internal class Campaign<T, R : Any>(
 ) {
     /**
      * The progress: [done] of [all] runs are over, and [facts] are about these. The other runs will take about [left] ms; 0: all have
-     * begun. There were [repeated] repetitions because this machine was late; [left] expects further ones.
+     * begun. Runs were repeated [repeated] times because this machine was late; [left] allows for further repetitions.
      */
     internal data class Status(
         val done: Int, val all: Int, val left: Long, val repeated: Int = 0, val facts: List<String> = emptyList(),

@@ -22,7 +22,7 @@ internal enum class Plan(
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** A try of the experiment itself: few combinations, with replications for an error term. */
+    /** For a try of the experiment itself: few combinations, with replications for an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;

@@ -25,7 +25,7 @@ internal class Punctuality : AutoCloseable {
         }
     }
 
-    /** Returns how late this machine was at most since [start], a [System.nanoTime], in ms; 0 if it was never 1 ms late. */
+    /** Returns the longest delay of this machine since [start], a [System.nanoTime], in ms; 0 if no delay was 1 ms. */
     fun worstSinceMs(start: Long): Double = delays.filter { it.at + it.nanos - start >= 0 }.maxOfOrNull { it.nanos / 1e6 } ?: 0.0
 
     override fun close() {

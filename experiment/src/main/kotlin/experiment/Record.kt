@@ -28,7 +28,7 @@ internal sealed interface Entry {
     @SerialName("command")
     data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
 
-    /** The front distance that the agent believes changed to [front], while [events] events and [intentions] intentions remained. */
+    /** The agent began to believe the front distance [front], while [events] events and [intentions] intentions remained. */
     @Serializable
     @SerialName("belief")
     data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
@@ -53,7 +53,7 @@ internal sealed interface Entry {
         val commands: Int = 0,
         /** The number of the board's answers; 0 for a real robot. */
         val frames: Int = 0,
-        /** How late this machine was at most in the run, in ms; 0 for a real robot. */
+        /** The longest delay of this machine in the run, in ms; 0 for a real robot. */
         val lateMs: Double = 0.0,
         /** For [Outcome.IDLE] and [Outcome.FAILED]: the reason why nothing was measured. */
         val reason: String? = null,

@@ -6,7 +6,7 @@ import argo.filters.RuleList
 import argo.filters.dropFilter
 import argo.filters.keepFilter
 
-/** Makes the filter of [view] with a critical rule: if the front distance is at most [limit] cm, its reflex is `stop`. */
+/** Makes the filter of [view] with a critical rule, whose reflex is `stop` if the front distance is at most [limit] cm. */
 internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
     val name = "${view.word}Reflex$limit"
     val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }

@@ -77,7 +77,7 @@ internal class FleetMas :
         throw FleetProjectException("it is no project: ${unreadable.message?.lineSequence()?.first()}")
     }
 
-    /** The settings of the log if the project has no file for them: it goes to the console, not to Jason's usual window. */
+    /** The log's settings if the project has no file for them. The log goes to the console, not to Jason's usual window. */
     override fun getDefaultLogProperties(): InputStream = DEFAULT_LOG.byteInputStream()
 
     /** Sets Jason's formatter of the log. Java itself looks for it only on the program's class path, where Jason may not be. */

@@ -32,7 +32,7 @@ fun main(arguments: Array<String>) {
 
 private val TOOLS = mapOf("Main-Class" to "argo.tools.MainKt")
 
-/** By this, `java -jar argo-fleet.jar` finds `argo.jar` in the same folder. */
+/** With these attributes, `java -jar argo-fleet.jar` finds `argo.jar` in the same folder. */
 private val FLEETS = mapOf("Main-Class" to "argo.fleet.MainKt", "Class-Path" to "argo.jar")
 
 private fun manifest(version: String) = mapOf(

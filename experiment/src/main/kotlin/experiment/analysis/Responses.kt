@@ -16,7 +16,7 @@ import samples.collision.Course
  * @property collisions the number for a robot that ran into the wall, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published response. All collisions have the same number, so that it does not depend on the limit, which is a factor itself. */
+    /** The published response. All collisions get one number, which does not depend on the limit, since the limit is a factor itself. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },

@@ -15,7 +15,7 @@ import kotlin.random.Random
  * @property reactions the times from a stimulus to its reaction, in ms, in their order; those of the warm-up are left out
  * @property missed the number of stimuli without a reaction within [Stimuli.LIMIT_MS], which are not among [reactions]
  * @property busy the average number of processors that worked for the agents
- * @property lateMs how late this machine was at most in the run, in ms
+ * @property lateMs the longest delay of this machine in the run, in ms
  */
 @Serializable
 internal data class DelegationResult(val reactions: List<Double>, val missed: Int, val busy: Double, val lateMs: Double) {

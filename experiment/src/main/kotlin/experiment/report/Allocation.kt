@@ -89,7 +89,7 @@ internal class Allocation(private val response: Response, private val columns: M
     }
 }
 
-/** Returns the table, called [number], of the effects of the factors of [plan] on the time from perceiving the wall. */
+/** Returns the table of the effects of [plan]'s factors on the time from perceiving the wall in [condition]. It is called [number]. */
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)

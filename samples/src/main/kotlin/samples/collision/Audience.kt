@@ -20,7 +20,10 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     @Volatile
     private var conclusion: String? = null
 
-    /** Prints the address of [view], shows [picture] there, and waits for the first browser. If [view] is null, prints that instead. */
+    /**
+     * Prints the address of [view], shows [picture] there, and waits for the first browser. If [view] is null, only prints that there is
+     * none.
+     */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {
             out.println("there is no live view, since port $port is taken or not allowed; --view without a number takes one that is free")

@@ -11,7 +11,7 @@ import kotlin.math.sin
  * @param x the turtle's distance from the left edge, in m
  * @param y the turtle's distance from the lower edge, in m
  * @param heading the turtle's direction, in rad: 0 is to the right, and positive angles are counter-clockwise
- * @param nanos the clock, in ns
+ * @param nanos returns the present time, in ns
  */
 internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: () -> Long) {
     /** The turtle's place and direction, with its speed of driving, in m/s, and of turning, in rad/s. */

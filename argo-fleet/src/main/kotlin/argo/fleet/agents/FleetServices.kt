@@ -16,8 +16,8 @@ import jason.runtime.SourcePath
 import java.util.logging.Logger
 
 /**
- * The services of Jason's runtime in a fleet. Names, registered services and the end concern all computers. New agents run on this
- * computer.
+ * The services of Jason's runtime in a fleet. Names, registered services and the system's end concern all computers. New agents run on this
+ * one.
  *
  * Jason 3.2.1 has `getAgentsNames`, which Jason 3.3.0 calls `getAgentsName`.
  */

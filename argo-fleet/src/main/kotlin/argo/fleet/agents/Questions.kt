@@ -23,7 +23,7 @@ internal class Questions {
         open.computeIfAbsent(id) { Question() }.asked[agent] = computer
     }
 
-    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. No such question: returns null. */
+    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. If [id] is unknown, returns null. */
     fun end(id: String?): CompletableFuture<JasonException?>? = id?.let(open::get)?.end
 
     /** Notes that [agent] has answered the question [id]. */

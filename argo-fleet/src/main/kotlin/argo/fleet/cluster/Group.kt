@@ -19,7 +19,7 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now. Of several members with one name, the oldest comes first. The calls have the order of the views. */
+    /** [members] are in touch now. Of several members with one name, the oldest comes first. Calls come in the order of the views. */
     fun viewed(members: List<Computer>)
 }
 

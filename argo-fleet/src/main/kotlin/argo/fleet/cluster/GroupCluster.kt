@@ -22,7 +22,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private val peers = LinkedHashMap<Computer, Peer>()
     private var members = listOf<Computer>()
 
-    /** The first number of a new session's pieces: above all numbers of lost sessions, so that no receiver takes them for repeats. */
+    /** The first number of a new session's pieces: above all earlier numbers, so that no receiver takes new pieces for repeats. */
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null

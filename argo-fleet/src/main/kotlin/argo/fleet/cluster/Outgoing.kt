@@ -137,8 +137,8 @@ internal class Outgoing(private val to: String, first: Long) {
         private const val OVERHEAD = 120
 
         /**
-         * The most bytes under way. They fit into the system's buffers for a connection, which hold at least twice 100 KB. So no write
-         * waits for a computer that does not read, and delays signs of life to other computers.
+         * The most bytes under way. They fit into the system's buffers for a connection, which hold at least twice 100 KB. So a write never
+         * waits for a computer that does not read, which would delay signs of life to other computers.
          */
         private const val WINDOW_BYTES = 64 shl 10
         private const val WINDOW_PIECES = 512

@@ -196,7 +196,7 @@ internal class Fleet(
                 // a computer whose program goes on may not know that it was lost. Its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // only that computer can know that its roster is wanted
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // that computer may not know that its roster is missing here
             }
             leases.changed(view)
         }

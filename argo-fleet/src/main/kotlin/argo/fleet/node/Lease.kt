@@ -88,7 +88,7 @@ internal class Lease(
         val moment = asked[grant.number] ?: return
         if (grant.isGranted && grant.term == ownTerm) {
             granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
-            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // when a majority's newest claim was made
+            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that a majority has granted
         } else if (grant.term > ownTerm || !grant.isGranted && grant.term == ownTerm && !mayRun()) {
             // a computer that refuses this term has granted it to another computer, since it grants each term only once. This computer may
             // have granted a greater term meanwhile: then `term` stays

@@ -22,8 +22,8 @@ internal interface Description {
 /**
  * The known facts about a board on a line.
  *
- * @property actions the names of the actions: `ledOn` has no arguments, `speed/1` has one, and `say` with `/` and a star any number; null:
- *   the board does not describe itself
+ * @property actions the actions, such as `ledOn` without arguments and `speed/1` with one; a star in place of 1 means any number of
+ *   arguments; null: the board does not describe itself
  * @property described the kinds of percepts that the board describes itself
  * @property lost the number of the sketch's actions that do not fit into the board's memory
  * @property rules the number of critical rules that fit on the board; null: the board speaks version 1

@@ -58,7 +58,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         ProbedBoard(trouble.message.orEmpty(), answers = null)
     }
 
-    /** Probes the port [name] at this [rate]. If no board answers, adds the bytes that came to [strays], and returns null. */
+    /** Probes the port [name] at this [rate]. If no board answers, adds the received bytes to [strays], and returns null. */
     private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
         val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
         return try {

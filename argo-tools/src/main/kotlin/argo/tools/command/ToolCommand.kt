@@ -29,7 +29,7 @@ abstract class ToolCommand : Callable<Int> {
     /** Ends the command with exit status 2, since its arguments are wrong for [reason]. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 
-    /** Returns the options that the user has given as arguments for another program, without the options [left]. */
+    /** Returns the user's options, without those called [left], as arguments for another program. */
     internal fun givenWithout(vararg left: String): List<String> =
         spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
             val name = option.longestName()

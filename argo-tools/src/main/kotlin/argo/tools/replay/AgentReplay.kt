@@ -10,7 +10,7 @@ import java.nio.file.Path
 internal class AgentReplay(private val file: Path, private val options: AgentReplayOptions) {
     /**
      * Returns the result. With a port for debuggers, pauses an agent before the first cycle, until a debugger lets it go on. Calls
-     * [standing] with its name, and with the files of programs that have changed since the recording.
+     * [standing] with the agent's name, and with the files of programs that have changed since the recording.
      * @throws RecordingException if no part of the recording can be replayed
      */
     fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
