@@ -1,4 +1,4 @@
-/** The one jar that a Jason project adds: everything except Jason. */
+/** Packs the only jar that a Jason project needs for ARGO. It contains everything except Jason. */
 val argoJar by tasks.registering(JavaExec::class) {
     description = "Packs argo.jar."
     val jar = layout.buildDirectory.file("libs/argo.jar")
@@ -12,14 +12,14 @@ val argoJar by tasks.registering(JavaExec::class) {
     argumentProviders.add(CommandLineArgumentProvider { listOf(jar.get().asFile.path, version, packed.asPath) })
 }
 
-/** The content that `argo-fleet.jar` and `argo.jar` have in common. */
+/** All that fleets need: the content of `argo-fleet.jar`, and what is in `argo.jar`. */
 val fleets = configurations.create("fleets") {
     isCanBeConsumed = false
     attributes { attribute(Usage.USAGE_ATTRIBUTE, objects.named(Usage.JAVA_RUNTIME)) }
 }
 dependencies { add(fleets.name, project(":argo-fleet")) }
 
-/** The jar that fleets have beside `argo.jar`. */
+/** Packs the jar that fleets need in addition to `argo.jar`. */
 val fleetJar by tasks.registering(JavaExec::class) {
     description = "Packs argo-fleet.jar."
     val jar = layout.buildDirectory.file("libs/argo-fleet.jar")

@@ -29,8 +29,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * A reasoning cycle of a real Jason agent, from the percepts' text to the end of the cycle. Every value in the perceived frame has changed.
- * There is no filter, or one that keeps a single percept.
+ * Measures a reasoning cycle of a real Jason agent, from the percepts' text to the end of the cycle. Every value in the perceived frame has
+ * changed. The agent has no filter, or one that keeps a single percept.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

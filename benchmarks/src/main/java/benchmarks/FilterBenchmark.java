@@ -24,7 +24,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** The cost of one percept: dropping it, reading it, and both with Jason's own parser. */
+/** Measures the cost of dropping a percept, of reading it, and of both with Jason's own parser. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -32,7 +32,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 8, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class FilterBenchmark {
-    /** The percepts of a message that is perceived. */
+    /** The number of percepts in a message. */
     static final int MESSAGE = 12;
 
     private static final String ON_TEMP = "<filter><predicate>temp</predicate></filter>";
@@ -85,7 +85,7 @@ public class FilterBenchmark {
                 + "</parameter></filter>";
     }
 
-    /** Messages of several sensors, whose numbers move and sometimes are far off. */
+    /** Returns messages of several sensors, whose numbers vary a little and sometimes are far off. */
     private static List<List<String>> messages() {
         Random random = new Random(1);
         return IntStream.range(0, 64)
@@ -131,7 +131,7 @@ public class FilterBenchmark {
         return perceive(until);
     }
 
-    /** Most sensors' numbers are between the two limits, and often cross them. */
+    /** The numbers of most sensors are near the two limits, and often cross one. */
     @Benchmark
     public int perceiveUntilMet() {
         return perceive(untilMet);

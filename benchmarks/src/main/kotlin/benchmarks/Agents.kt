@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** A Jason in this process with agents from texts. There can be only one Jason at a time. */
+/** Runs Jason in this process, with agents whose programs are texts. There can be only one Jason at a time. */
 class Agents : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-bench")
     private val mas = RunLocalMAS()
@@ -25,7 +25,7 @@ class Agents : AutoCloseable {
         mas.start()
     }
 
-    /** Starts agent [name] with [program] and the [options] of its `.mas2j` on [arch]; null: Jason's own architecture. */
+    /** Starts the agent [name] with [program], and with [options] as in a `.mas2j`. [arch] is its architecture; null: Jason's own. */
     fun start(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val services = RuntimeServicesFactory.get()
@@ -38,9 +38,9 @@ class Agents : AutoCloseable {
         mas.getAg(name).wake()
     }
 
-    /** Ends the system. Returns when its agents have ended. */
+    /** Ends Jason. Waits until its agents have ended. */
     override fun close() {
-        mas.finish(0, false, 0) // Jason ends the agents on its own thread
+        mas.finish(0, false, 0) // returns at once: another thread of Jason ends the agents
         if (!awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }) System.err.println("agents still run after $LIMIT_S s: ${mas.ags.keys}")
         directory.toFile().deleteRecursively()
     }
@@ -50,10 +50,10 @@ class Agents : AutoCloseable {
     }
 }
 
-/** Runs [measure] with a new Jason while [boards] are plugged in, each as `sim:NAME`. */
+/** Runs [measure] with a new Jason while the [boards] are plugged in, each as `sim:` and its name. */
 internal fun <T> withAgents(boards: Map<String, SimulatedBoard>, measure: (Agents) -> T): T = withBoards(boards) { Agents().use(measure) }
 
-/** Runs [measure] while [boards] are plugged in, each as `sim:NAME`. */
+/** Runs [measure] while the [boards] are plugged in, each as `sim:` and its name. */
 internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> T): T {
     boards.forEach(SimulatedBoards::plugIn)
     try {
@@ -63,7 +63,7 @@ internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> 
     }
 }
 
-/** Returns the program of an agent that senses the board at [port] each [intervalMs] and has these other [plans]. */
+/** Returns the program of an agent that senses the board at [port] every [intervalMs], with [plans] as its further plans. */
 internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "") =
     "!start.\n+!start <- argo.port(\"$port\", [baud($baud)]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 

@@ -12,8 +12,8 @@ internal const val CROWD_AGENTS = 1000
 internal const val CROWD_HEAP_MB = 400
 
 /**
- * Measures a thousand agents with a board each in one Java machine. Each agent senses twelve percepts at 10 Hz, one of them changed.
- * Returns the answers a second to all agents, and the largest resident memory of the process, in MB.
+ * Measures a thousand agents, each with its own board, in one Java machine. Each agent senses twelve percepts at 10 Hz, of which one
+ * changes. Returns the answers a second to all agents, and the largest resident memory of the process, in MB.
  */
 internal fun crowd(): List<Double> {
     val answers = AtomicLong()
@@ -36,7 +36,7 @@ private val BESIDES = SensorBoard.robot(0).substringAfter(';')
 
 private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
 
-/** At this rate the line in memory wakes its reader once a frame, like a driver, not for each byte. */
+/** At this rate, the line in memory wakes its reader once for each frame, as a driver does, and not for each byte. */
 private const val BAUD = 20_000_000
 private const val WARM_UP_MS = 20_000L
 private const val MEASURED_MS = 10_000L

@@ -9,9 +9,9 @@ class Distribution(nanos: LongArray) {
     /** The number of durations. */
     val size: Int get() = sorted.size
 
-    /** Returns the duration in ms that a [share] of the durations, 0 to 1, does not exceed; NaN: there are none. */
+    /** Returns the quantile for [share], from 0 to 1, in ms: this share of the durations does not exceed it. NaN: no durations. */
     fun ms(share: Double): Double = if (sorted.isEmpty()) Double.NaN else sorted[((sorted.size - 1) * share).toInt()] / 1e6
 }
 
-/** Returns [values] in the [format] of [String.format], with a decimal point in every language. */
+/** Formats [values] as [String.format] does, but with a decimal point in every language. */
 internal fun figures(format: String, vararg values: Any?): String = format.format(Locale.ROOT, *values)

@@ -7,7 +7,7 @@ private const val EXCHANGES = 1_000_000
 private val RATES = listOf(1e-5, 1e-4, 1e-3)
 
 /**
- * Makes a million exchanges in version 2 at each rate of wrong bits, and prints their outcomes. Half of the exchanges are commands, half
+ * Makes a million exchanges in version 2 at each rate of wrong bits, and prints their outcomes. One half are commands, the other half
  * requests. Time is virtual, so the figures are the same on every machine. Returns true if each command was carried out at most once and in
  * order, and each confirmed command was carried out.
  */

@@ -9,8 +9,8 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
 /**
- * The internal action `benchmarks.acts(N)`: reports that an intention acts now on the board's nth answer. `benchmarks.acts(N, Agent, What)`
- * also reports the agent's number, and whether its nth action is `begun`, `done` or `failed`.
+ * The internal action `benchmarks.acts(N)` reports that an intention now acts on the board's Nth answer. `benchmarks.acts(N, Agent, What)`
+ * also reports the agent's number, and in `What` whether its Nth action is `begun`, `done` or `failed`.
  */
 class acts : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -19,13 +19,13 @@ class acts : DefaultInternalAction() {
     }
 
     companion object {
-        /** Receives the answer's number, the time in ns and all arguments, on the agent's thread. The running benchmark sets it. */
+        /** Gets the answer's number, the time in ns and all arguments, on the agent's thread. The running benchmark sets this function. */
         @Volatile
         var heard: (number: Int, nanos: Long, arguments: Array<Term>) -> Unit = { _, _, _ -> }
     }
 }
 
-/** The internal action `benchmarks.say(W)`: the agent's [SingleThread] writes W. */
+/** The internal action `benchmarks.say(W)` makes the agent's [SingleThread] write W. */
 class say : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<SingleThread>().first().say("${args[0]}")

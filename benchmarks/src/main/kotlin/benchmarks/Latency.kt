@@ -1,6 +1,6 @@
 package benchmarks
 
-/** A part of a course, by its exchanges at 50 a second. */
+/** A part of a course: the numbers of its [exchanges], of which there are 50 a second. */
 internal enum class Part(val title: String, val exchanges: IntRange) {
     FIRST_SECOND("first second", 0 until 50),
     FIRST_20_SECONDS("first 20 seconds", 0 until 1000),
@@ -11,7 +11,7 @@ private const val ROUNDS = 3
 private val EXCHANGES = Part.entries.maxOf { it.exchanges.last } + 1
 
 /**
- * Measures, over a pseudo-terminal and in all rounds, the latency of commands. The time runs from the last byte of a frame with twelve
+ * Measures the latency of commands over a pseudo-terminal, in several rounds. It is the time from the last byte of a frame with twelve
  * percepts to the first byte of the command that the frame causes. The courses take turns, so that other work of the machine affects all of
  * them. Each course runs in a new Java machine.
  */

@@ -5,8 +5,8 @@ import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses. The share is the number of requests a second,
- * multiplied by the time of a request and its answer on the line. The board answers at once, with twelve percepts. The line is in memory
- * and gives each byte its time.
+ * multiplied by the time that a request and its answer take on the line. The board answers at once, with twelve percepts. The line is in
+ * memory, and each byte takes its real time on it.
  */
 internal fun lineUse(baud: Int, protocol: Protocol): Double {
     val bytes = AtomicLong()

@@ -10,8 +10,8 @@ fun machine(): String =
         "${System.getProperty("os.arch")}"
 
 /**
- * Returns the resident memory of this process in MB: `VmRSS` the present one, `VmHWM` the largest so far. NaN if it is not known, as on
- * systems other than Linux.
+ * Returns the resident memory of this process in MB: for `VmRSS` the present one, for `VmHWM` the largest so far. NaN if the memory is not
+ * known, as on other systems than Linux.
  */
 internal fun residentMb(figure: String): Double {
     val status = File("/proc/self/status")

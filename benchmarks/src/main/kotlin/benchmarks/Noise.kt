@@ -6,14 +6,14 @@ import argo.filters.dropFilter
 import argo.filters.matching.FilterSession
 import java.util.Random
 
-/** The numbers that a range finder shows in place of the true one. */
+/** A kind of wrong numbers that a range finder shows in place of the true one. */
 internal enum class Stray(val words: String, val cm: (Random) -> Int) {
     LOST("lost echoes, 0 cm", { 0 }),
     ANY("stray echoes, 2 to 400 cm", { 2 + it.nextInt(399) }),
     NEAR("stray echoes below the limit, 0 to 39 cm", { it.nextInt(LIMIT_CM) }),
 }
 
-/** The ways in which the filters of [noise] smooth. */
+/** The smoothing rules that [noise] compares. */
 internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
     "median 5" to { smooth("dist") { argument(1) median 5 } },
     "outliers 3 among 5" to { smooth("dist") { argument(1).outliers(3) } },
@@ -22,9 +22,9 @@ internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
 )
 
 /**
- * Simulates a range finder, read 20 times a second, with outliers in 5 % of its percepts, and an agent whose critical rule stops it below
- * 40 cm. Prints the share of false stops that smoothing leaves while the robot stands at 45 cm. With an exact sensor, prints by how many
- * percepts smoothing delays the stop before a wall that comes nearer, and before one that appears.
+ * Simulates an agent whose critical rule stops a robot below 40 cm. A range finder is read 20 times a second, and 5 % of its percepts are
+ * outliers. Prints which share of the false stops remains with smoothing while the robot stands at 45 cm. Also prints, for an exact sensor,
+ * by how many percepts smoothing delays the stop before a wall that comes nearer, and before a wall that suddenly appears.
  */
 internal fun noise() {
     println("stops with outliers in 5 % of the percepts, 45 cm before the sensor with noise of 1 cm, limit 40 cm, simulated:")
@@ -40,7 +40,7 @@ internal fun noise() {
     }
 }
 
-/** Returns the number of false stops of a standing robot in [percepts] percepts. */
+/** Returns the number of false stops during so many [percepts] of a standing robot. */
 internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: Int = 1_000_000): Int {
     val random = Random(42)
     val stops = Stops(careful(smoothing))
@@ -49,13 +49,13 @@ internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: 
     }
 }
 
-/** The distances that the sensor shows while the robot drives at a wall, for several starts. */
+/** The distances that the sensor shows while the robot drives towards a wall, from several starts. */
 internal val DRIVING: List<List<Int>> = (60..69).map { begin -> List(40) { (begin - it * 2.5).toInt() } }
 
-/** The distances that the sensor shows if a wall appears before the robot. */
+/** The distances that the sensor shows when a wall suddenly appears in front of the robot. */
 internal val APPEARING: List<List<Int>> = listOf(List(40) { if (it < 8) 60 else 20 })
 
-/** Returns by how many percepts, at most, smoothing delays the stop of a robot whose sensor shows one of [courses]. */
+/** Returns by how many percepts [smoothing] delays the stop at most, if the sensor shows the distances of one of [courses]. */
 internal fun delay(smoothing: RuleList.() -> Unit, courses: List<List<Int>>): Int = courses.maxOf { course ->
     fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> course.indexOfFirst(stops::begin) }
     begin(smoothing) - begin {}
@@ -76,7 +76,7 @@ private class Stops(filter: PerceptionFilter) {
     private var nowMs = 0L
     private var isMet = false
 
-    /** Returns true if the percept with this distance begins to meet the critical rule. */
+    /** Takes a percept with this distance. Returns true if the critical rule matches now and did not match before. */
     fun begin(cm: Int): Boolean {
         val wasMet = isMet
         isMet = session.perceive(listOf("dist(f,$cm)"), nowMs).critical.isNotEmpty()

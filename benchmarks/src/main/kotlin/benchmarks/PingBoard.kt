@@ -9,8 +9,8 @@ import java.io.FileOutputStream
 import java.util.concurrent.TimeUnit
 
 /**
- * A board on a pseudo-terminal. The board answers each request with twelve changing percepts, one of them `ping(N)`. The board measures the
- * time until the first byte of the command `pong(N)`.
+ * A board on a pseudo-terminal, which answers each request with twelve changing percepts. One of them is `ping(N)`. The board measures the
+ * time until the first byte of the command `pong(N)` arrives.
  *
  * @param exchanges the number of measured commands
  */

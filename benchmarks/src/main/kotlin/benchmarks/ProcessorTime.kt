@@ -9,8 +9,8 @@ import java.lang.management.ManagementFactory
 import kotlin.concurrent.thread
 
 /**
- * Measures the share of one processor for all threads of this program except those of the board. An agent senses twelve changing percepts
- * of the board at 50 Hz over a pseudo-terminal. [speaks] is the version of the protocol that the board reads.
+ * Measures which share of one processor this program uses, without the threads of its board. An agent senses the board's twelve changing
+ * percepts at 50 Hz over a pseudo-terminal. [speaks] is the version of the protocol that the board reads.
  */
 internal fun processorShare(speaks: Protocol): Double = PseudoTerminals.open().use { line ->
     val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}", speaks) }

@@ -3,7 +3,7 @@ package benchmarks
 import javino.Protocol
 import java.io.File
 
-/** Measures the promptness of a robot's agent. Prints a table, and writes it to [json]. */
+/** Measures how promptly a robot's agent reacts. Prints a table, and writes it to [json]. */
 internal fun realtime(json: File) {
     println("real time, ${machine()}:")
     val table = Table()
@@ -15,7 +15,7 @@ internal fun realtime(json: File) {
     println("all results: $json")
 }
 
-/** Prints figures, and keeps them for a file. */
+/** Prints figures, and collects them for a file. */
 private class Table {
     private val rows = mutableListOf<String>()
 

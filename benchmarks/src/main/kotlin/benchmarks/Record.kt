@@ -16,10 +16,10 @@ internal const val REPLAY = "replay-recordings"
 
 /**
  * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
- * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The figure
- * for a message is the one that counts, since a recorded agent has other cycles. Prints the processor time of the thread that writes the
- * recording, for which no cycle waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are
- * within their bounds.
+ * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. Only the
+ * time for a message can be compared, since a recorded agent has other cycles. Also prints the processor time of the thread that writes the
+ * recording, for which no cycle waits, the size of the recordings, and the speed of their replay. Returns true if all figures are within
+ * their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
@@ -45,8 +45,8 @@ internal fun recorded(): Boolean {
 }
 
 /**
- * Returns how many times faster than real time a new Java machine replays [file], its start included. The replay is started like the tool
- * `replay`.
+ * Returns how many times faster than real time a new Java machine replays [file]. The time includes the machine's start. The replay is
+ * started as by the tool `replay`.
  */
 private fun paceApart(file: Path): Double {
     val begin = System.nanoTime()
@@ -56,13 +56,13 @@ private fun paceApart(file: Path): Double {
     return (times.last() - times.first()).toDouble() / elapsedNs
 }
 
-/** Replays [files] in turn. Returns how many times faster than real time each replay was. */
+/** Replays [files] one after the other. Returns how many times faster than real time each replay was. */
 internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of(it)) }
 
 private fun pace(file: Path): Double {
     val begin = System.nanoTime()
     return Recording(file).use { recording ->
-        Replay(recording, isChecking = true).use { replay -> // the agent has an architecture of this benchmark
+        Replay(recording, isChecking = true).use { replay -> // the agent has an architecture of this benchmark's own
             val firstNs = checkNotNull(replay.nextNs) { "$file holds no cycle" }
             replay.run()
             check(replay.differences.isEmpty()) { replay.differences.first() }
@@ -72,8 +72,8 @@ private fun pace(file: Path): Double {
 }
 
 /**
- * The processor times of an agent's cycles in ns, the number of its board's [messages] in them, and the processor time of the writing
- * thread.
+ * The processor times of an agent's cycles, the number of its board's [messages] in these cycles, and the processor time of the thread that
+ * writes the recording. Times are in ns.
  */
 private class Drive(val cycles: List<Long>, val messages: Int, val writingNs: Long)
 
@@ -85,8 +85,8 @@ private fun writingNs(): Long {
 }
 
 /**
- * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for the measured [seconds]. Records the agent to [file];
- * null: without a recording.
+ * Runs an agent that asks its board every [intervalMs]: first for [LOADING_S], then for [seconds], which are measured. Records the agent to
+ * [file]; null: without a recording.
  */
 private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVAL_MS): Drive {
     val times = ArrayList<Long>()
@@ -127,7 +127,7 @@ class TimedArch(platform: Platform) : Arch(platform) {
         private val threads = ManagementFactory.getThreadMXBean()
 
         /**
-         * Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. Read it only when no agent runs.
+         * The processor time of the agent's thread in each cycle, in ns; null: it is not measured. Read this list only when no agent runs.
          */
         @Volatile
         var times: MutableList<Long>? = null

@@ -12,11 +12,11 @@ import javino.Transports
 import java.util.concurrent.TimeUnit
 
 /**
- * The plain architecture for comparison with ARGO's latency: it reads, decides in Jason and writes on one thread. In its reasoning cycle it
- * requests percepts, waits for the answer and parses it with Jason's parser. [say] writes a command at once. There are no filters, no other
- * port and no faults.
+ * A simple architecture for comparison with ARGO's latency. One thread reads, decides in Jason and writes. In each reasoning cycle it
+ * requests percepts, waits for the answer, and parses the answer with Jason's parser. [say] writes a command at once. There are no filters
+ * and no second port, and faults are not handled.
  *
- * The program sets [port] before Jason makes the agent.
+ * Set [port] before Jason makes the agent.
  */
 class SingleThread : AgArch() {
     private val line: Transport = Transports.open(port, LineSettings(LatencyCourse.BAUD))
@@ -43,7 +43,7 @@ class SingleThread : AgArch() {
         return messages.removeFirst()
     }
 
-    /** Writes a message. There is no time limit, which would take another thread. The agent's thread calls this. */
+    /** Writes a message on the agent's thread. There is no time limit, since that would need another thread. */
     fun say(message: String) = Frame.of(message).toBytes().let { line.write(it, 0, it.size, 0) }
 
     /** Returns false, since the agent never sleeps: it waits in [perceive]. */

@@ -4,14 +4,14 @@ import javino.Protocol
 import java.util.BitSet
 
 /**
- * Checks many agents on as many boards in memory. The agents sense at 50 Hz and act on each answer. Neither heap nor threads may grow, and
- * each action must be carried out once.
+ * Checks many agents, each with a board in memory. The agents sense at 50 Hz, and act on each answer. Heap and threads must not grow, and
+ * each action must be carried out exactly once.
  *
- * @param seconds the length of the run, at least 3. Heap and threads may grow until all agents act, and during the first minute or, in a
- *   short run, the first third.
+ * @param seconds the length of the run, at least 3. Heap and threads may grow at first: until all agents act, and for a minute, or for a
+ *   third of a short run.
  */
 class Soak(private val agents: Int, private val seconds: Int) {
-    /** The figures of a run. Heap is in bytes after a collection. */
+    /** The figures of a run. The heap is in bytes, after a garbage collection. */
     class Result(
         val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
         val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
@@ -59,7 +59,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         }
     }
 
-    /** Returns the heap that is always in use. Acting agents use some 10 MB more for a moment. */
+    /** Returns the heap that is always in use: the least of some samples, since acting agents briefly use some 10 MB more. */
     private fun steadyHeap() = (1..HEAP_SAMPLES).minOf {
         Thread.sleep(HEAP_SAMPLE_MS)
         usedHeap()
@@ -72,7 +72,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         +!end    <- argo.percepts(block).
     """
 
-    /** The actions that one agent ordered and that its board carried out. Safe on any thread. */
+    /** Compares the actions that one agent ordered with those that its board carried out. Safe on any thread. */
     private class Account {
         private val ordered = BitSet()
         private val acted = BitSet()
@@ -109,11 +109,11 @@ class Soak(private val agents: Int, private val seconds: Int) {
             if (what == "failed") failed++
         }
 
-        /** Returns true if the agent knows the outcome of each ordered action. */
+        /** Returns true if the agent knows the outcome of every action that it ordered. */
         @Synchronized
         fun isSettled() = ordered == known
 
-        /** Returns the number of actions that were confirmed but not carried out, or whose outcome the agent does not know. */
+        /** Returns how many actions were confirmed but not carried out, or have an outcome that the agent does not know. */
         @Synchronized
         fun lost(): Long {
             val unknown = (ordered.clone() as BitSet).apply { andNot(known) }
@@ -126,7 +126,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
 
-        /** The number of actions after which every agent has loaded and allocated everything that it needs. */
+        /** After this number of actions, an agent has loaded and allocated all that it needs. */
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
@@ -134,7 +134,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val HEAP_SAMPLES = 8
         const val HEAP_SAMPLE_MS = 100L
 
-        /** The program's own threads come and go. */
+        /** The allowed growth, since the program's own threads come and go. */
         const val SPARE_THREADS = 2
     }
 }

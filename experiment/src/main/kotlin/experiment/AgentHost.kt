@@ -16,10 +16,10 @@ import jason.runtime.Settings as AgentSettings
  * An agent that is about to be created.
  *
  * @property program the file with the agent's program, in the folder `agent`
- * @property isArgo whether it is an ARGO agent, with the [options] of its `.mas2j`, or a common one
- * @property beliefs its initial beliefs besides those of its program
- * @property plans further plans, which come behind those of its program
- * @property witnesses architectures in front of its own
+ * @property isArgo true: it is an ARGO agent with these [options], as in a `.mas2j`; false: it is a common Jason agent
+ * @property beliefs its initial beliefs, in addition to those of its program
+ * @property plans its further plans, which come after those of its program
+ * @property witnesses the architectures that are put in front of its own
  */
 internal class Newcomer(
     val name: String,
@@ -32,8 +32,8 @@ internal class Newcomer(
 )
 
 /**
- * Runs Jason with as many agents as there are at the moment. A program can run only one Jason, since Jason keeps itself in a static field.
- * Safe for use by several threads.
+ * Runs one Jason, with agents that come and go. A program can run only one, since Jason keeps it in a static field. Safe for use by several
+ * threads.
  */
 internal class AgentHost : RunLocalMAS() {
     private val services = LocalRuntimeServices(this)
@@ -78,7 +78,7 @@ internal class AgentHost : RunLocalMAS() {
         return others.map(ASSyntax::parseLiteral) + createLiteral("board", createString(port), parseTerm("$options"))
     }
 
-    /** Ends [agent], which closes its port. Returns when its thread has ended, or after [END_LIMIT_MS] with a warning in the log. */
+    /** Ends [agent], and thereby closes its port. Waits until its thread has ended, but logs a warning and returns after [END_LIMIT_MS]. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
@@ -86,7 +86,7 @@ internal class AgentHost : RunLocalMAS() {
         delAg(agent.agName)
     }
 
-    /** Ignores `.stopMAS` of one agent, since the others go on. */
+    /** Ignores `.stopMAS`, by which one agent would also end the others. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) = Unit
 
     private companion object {

@@ -15,25 +15,25 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * The settings of all runs of an experiment. A continued experiment must have the same settings.
+ * The settings of an experiment, for all of its runs. They must be the same when the experiment is continued.
  *
- * @property seed the seed of the order of the runs and of chance in them
+ * @property seed the seed for the order of the runs, and for random numbers in them
  * @property slowdown the factor by which the agents reason more slowly than this computer
- * @property computer the calibration behind [slowdown], in words
+ * @property computer the origin of [slowdown], in words
  * @property port the port of a real robot; null for simulated robots
  */
 @Serializable
 internal data class Settings<P>(val plan: P, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
 
-/** An experiment cannot be continued; [message] contains the reason and the remedy. */
+/** An experiment cannot be continued; [message] tells the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)
 
 /**
- * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close] only one experiment
- * of one program owns it.
+ * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close], no other
+ * experiment can open it.
  *
- * @param plans the form of plans in `settings.json`
- * @param read returns the finished run whose record is in a file; null: the record is not whole, so the run has to be made anew
+ * @param plans the serializer of the plan in `settings.json`
+ * @param read reads the finished run from the file of its record; null: the record is incomplete, so the run has to be made again
  */
 internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, private val read: (Path) -> R?) : AutoCloseable {
     private val form = Settings.serializer(plans)
@@ -61,7 +61,7 @@ internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, p
     /**
      * Begins an experiment with the settings [asked], or continues the experiment in this directory.
      *
-     * @throws ContinuationException if the present experiment has other settings, or another program is making it
+     * @throws ContinuationException if the experiment in this directory has other settings, or is being made by another program
      * @throws IOException if the directory cannot be written to
      */
     fun open(asked: Settings<P>) {
@@ -97,26 +97,26 @@ internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, p
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Returns the file for the record of the run called [id], which may not exist yet. */
+    /** Returns the file for the record of the run [id]. The file may not exist yet. */
     fun file(id: String): Path = runs.resolve("$id.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
 
-    /** Returns the finished runs, in no order. */
+    /** Returns the finished runs, in no particular order. */
     fun finished(): List<R> = records().mapNotNull(read)
 
-    /** Returns the number of records that are not whole. */
+    /** Returns the number of incomplete records. */
     fun unusable(): Int = records().size - finished().size
 }
 
 /**
- * Locks the [directory] of an experiment until the channel is closed. The operating system ends the lock with the program, however that
- * ends.
+ * Locks the [directory] of an experiment, and returns a channel that keeps the lock until it is closed. The operating system also ends the
+ * lock when the program ends in any way.
  *
  * @throws ContinuationException if another experiment has the lock
  */
 private fun claim(directory: Path): FileChannel {
-    // No other code opens this file, since closing it would end the lock.
+    // No other code may open this file: closing it there would end the lock.
     val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
     val lock = try {
         channel.tryLock()

@@ -9,8 +9,8 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 
 /**
- * Does [work] with a line of progress, which `show` writes, and with the log of Jason, ARGO and the agents in `log.txt` of [directory].
- * Ctrl-C makes the experiment [given] up.
+ * Does [work]. Its parameter `show` writes a line of progress. The log of Jason, ARGO and the agents goes to `log.txt` in [directory]. On
+ * Ctrl-C, tells [given] that the experiment is aborted.
  */
 internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<String>) -> Unit, punctuality: Punctuality) -> T): T {
     val progress = Progress.onStandardOutput()
@@ -27,11 +27,11 @@ internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<St
     }
 }
 
-/** Describes this machine for a report; the number of runs at once comes first, in words. */
+/** Describes this machine for a report, after the words [atOnce] for the number of runs at once. */
 internal fun machine(atOnce: String): String =
     listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
         .let { "$atOnce on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
-/** Returns the version and the commit of ARGO. The property `argo.build` has them if there is no jar. */
+/** Returns the version and the commit of ARGO. Without a jar, the property `argo.build` contains them. */
 internal fun build(): String =
     System.getProperty("argo.build") ?: Punctuality::class.java.`package`.implementationVersion ?: "of an unknown version"

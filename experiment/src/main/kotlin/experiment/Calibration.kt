@@ -5,11 +5,11 @@ import java.util.Locale
 import kotlin.math.sqrt
 
 /**
- * Compares the speed of this computer with a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000
- * by trial division.
+ * Compares the speed of this computer with that of a single-board computer of 2016. Both do the work of `sysbench cpu`: they count the
+ * primes up to 10,000 by trial division.
  *
- * Only whole-number division by compiled code in one thread is compared, not caches and memory. So the factor is a stated assumption, and a
- * parameter of the experiment.
+ * This compares only integer division by compiled code in one thread, not caches and memory. So the factor is an assumption: the report
+ * states it, and the user can set it.
  */
 internal object Calibration {
     /**
@@ -36,8 +36,8 @@ internal object Calibration {
     }
 
     /**
-     * Measures the events a second of this computer in 1.5 s. Takes the best of some rounds, since other programs can only slow this one
-     * down. [nanoTime] is the time that the calling thread has worked, in ns; the time of other threads does not count.
+     * Measures the events a second of this computer in 1.5 s. The best of some rounds counts, since other programs can only slow this one
+     * down. [nanoTime] returns the processor time of the calling thread, in ns.
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()
@@ -51,15 +51,15 @@ internal object Calibration {
 
     private const val PRIMES = 1229
 
-    /** Returns the factor for slowing the reasoning on a computer with [eventsPerSecond]; 1 if it is not faster than the reference. */
+    /** Returns by which factor a computer with [eventsPerSecond] is faster than the reference; 1 if it is not faster. */
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 
-    /** Returns the factor that the user has [asked] for, else a measured one, with its origin in words. */
+    /** Returns the factor and its origin, in words. If the user has [asked] for no factor, measures it. */
     fun slowdown(asked: Double?): Pair<Double, String> =
         if (asked != null) asked to "set with --slowdown" else eventsPerSecond().let { slowdown(it) to words(it) }
 
-    /** Explains the origin of [slowdown] for the report. */
+    /** Explains a measured factor for the report. */
     fun words(eventsPerSecond: Double): String = String.format(
         Locale.ROOT, "%.0f events a second here, %.0f on a Raspberry Pi 3 Model B (sysbench cpu, primes up to 10,000, one thread)",
         eventsPerSecond, REFERENCE_EVENTS_PER_S,

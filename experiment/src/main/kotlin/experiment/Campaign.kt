@@ -3,32 +3,32 @@ package experiment
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
-/** The runs [T] of an experiment, and how they become finished runs [R]. Several threads may call it. */
+/** Makes the runs [T] of an experiment into finished runs [R]. Several threads may call these functions. */
 internal interface Runs<T, R : Any> {
     /** Returns the finished runs, which are not made again. */
     fun finished(): Map<T, R>
 
     /**
-     * Makes [run], and keeps its record. Returns null if the experiment was [given] up.
+     * Makes [run], and keeps its record. Returns null if [given] tells that the experiment is aborted.
      *
      * @throws java.io.IOException if the record cannot be written
      */
     fun make(run: T, given: GivenUp): R?
 
-    /** Returns true if this machine was too late for its own simulation in the run that was [made]. */
+    /** Returns true if this machine was too late for its own simulation in the finished run [made]. */
     fun isLate(made: R): Boolean
 
     /** Estimates the time of [run], in ms. */
     fun expectedMs(run: T): Long
 
-    /** Returns facts about the runs that are [over], for the line of progress. */
+    /** Returns facts about the finished runs [over], for the line of progress. */
     fun facts(over: Collection<R>): List<String> = emptyList()
 }
 
 /**
- * Makes the missing [runs] of an experiment, [jobs] at a time in their order.
+ * Makes the missing [runs] of an experiment in their order, [jobs] of them at a time.
  *
- * A run is repeated if this machine was late for its own simulation, see [punctual]. The last try counts, and its result records the delay.
+ * A run is repeated if this machine was too late for its own simulation, see [punctual]. The last try counts, and its record has the delay.
  */
 internal class Campaign<T, R : Any>(
     private val runs: Runs<T, R>,
@@ -37,13 +37,13 @@ internal class Campaign<T, R : Any>(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * The progress: [done] of [all] runs are over, with these [facts] about them. The other runs will take about [left] ms; 0: all have
-     * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects further repetitions.
+     * The progress: [done] of [all] runs are over, and [facts] are about these. The other runs will take about [left] ms; 0: all have
+     * begun. Runs were repeated [repeated] times because this machine was late; [left] allows for further repetitions.
      */
     internal data class Status(
         val done: Int, val all: Int, val left: Long, val repeated: Int = 0, val facts: List<String> = emptyList(),
     ) {
-        /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
+        /** The facts for a line of progress. The time left is in whole minutes, since [left] is only an estimate. */
         val words: List<String> get() =
             listOf("run $done of $all") + facts + listOfNotNull("$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
 
@@ -62,9 +62,9 @@ internal class Campaign<T, R : Any>(
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes the missing ones of [all] runs. Returns all finished runs. Ends early if the experiment is given up.
+     * Makes those of [all] runs that are missing, and returns all finished runs. Ends early if the experiment is aborted.
      *
-     * @throws java.io.IOException if a record cannot be written; the experiment is then given up
+     * @throws java.io.IOException if a record cannot be written; the experiment is then aborted
      */
     fun run(all: List<T>): List<R> {
         val finished = runs.finished()
@@ -86,7 +86,7 @@ internal class Campaign<T, R : Any>(
     private companion object {
         const val MINUTE_MS = 60_000L
 
-        /** The longest time of a run of any experiment, in ms, unless the run fails. */
+        /** The longest time of a run that does not fail, in any experiment, in ms. */
         const val LONGEST_MS = 21_000L
     }
 }

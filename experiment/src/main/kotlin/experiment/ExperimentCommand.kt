@@ -54,7 +54,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
         }
     }
 
-    /** Asks the robot on [port] for its percepts before a user moves it, so that a wrong port or robot is refused at once. */
+    /** Asks the robot on [port] for its percepts, so that a wrong port or robot is refused before a user has to move a robot. */
     private fun tryRobot(port: String) {
         val answer = try {
             Link.open(port, LinkSettings.defaults(), "the experiment").use(::firstSight)
@@ -67,7 +67,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
         println("the robot on $port answers: $answer")
     }
 
-    /** Returns the robot's first answer with the front distance, since a sensor may need some time; the last answer if none has it. */
+    /** Returns the robot's first answer with the front distance, for which a sensor may need time; if none has it, the last answer. */
     private fun firstSight(robot: Link): String {
         var answer = ""
         for (attempt in 1..MAX_REQUESTS) {
@@ -80,7 +80,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
 
     override fun archive(directory: Path) = collisionArchive(directory)
 
-    /** Returns the published runs in one random order, followed by the runs with more work for the machine. */
+    /** Returns the published runs in random order, and then the runs with more sensors and other lines, in random order too. */
     override fun all(settings: Settings<Plan>): List<Trial> = randomised(conditions.flatMap(settings.plan::trials), settings.seed) +
         if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
 

@@ -5,8 +5,8 @@ import java.util.concurrent.Executors
 import java.util.concurrent.Future
 
 /**
- * Makes [jobs] threads do [work], and returns when all have ended. If [work] fails in one of them, the experiment is given up, so that the
- * others end soon, and the failure is thrown.
+ * Does [work] on [jobs] threads at once, and returns when all of them have ended. If [work] fails on one thread, aborts the experiment, so
+ * that the other threads end soon, and throws the failure.
  */
 internal fun inParallel(jobs: Int, given: GivenUp, work: () -> Unit) {
     val pool = Executors.newFixedThreadPool(jobs)
@@ -28,6 +28,6 @@ private fun work(given: GivenUp, work: () -> Unit) {
         work()
         isDone = true
     } finally {
-        if (!isDone) given.giveUp() // otherwise the failure is reported an hour later
+        if (!isDone) given.giveUp() // or the failure would be reported only when all runs are made
     }
 }

@@ -13,17 +13,17 @@ import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** Returns the answer timeout: at least a second, and three times the longest answer. In version 2 a session's first answer is longest. */
+/** Returns the time limit for an answer: three times the longest answer, at least a second. In version 2 the first one is longest. */
 internal fun answerLimitMs(trial: Trial): Int =
     maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 
 /**
- * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps,
- * and the computer knows their texts.
+ * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers only with the percepts that the filter
+ * keeps, as texts that the computer already knows.
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
-/** Returns the number of bytes of a request and its answer. In version 2 the computer knows the texts of [known] percepts. */
+/** Returns the bytes of a request and its answer. In version 2 the computer already knows the texts of [known] percepts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }
     if (!trial.condition.isVersion2) {
@@ -34,7 +34,7 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     val asked = trial.view.functors
     val texts = all.filter { asked == null || it.substringBefore('(') in asked }
     val writer = PerceptWriter(MAX_KNOWN)
-    writer.items(texts, 0) // the writer then knows the shapes of the texts
+    writer.items(texts, 0) // after this, the writer knows the shapes of the texts
     val items = writer.items(texts, known)
     val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
     val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())
@@ -44,10 +44,10 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
 private const val MAX_KNOWN = 126
 
 /**
- * Returns the worst-case delay of line and sensors, in ns, for any program: from crossing the limit to the effect of `stop` on the board.
- * The delay has four parts. The reading below the limit is late by the sensor's noise. An answer without that reading has just begun. The
- * next request, at the end of that exchange or of the sensing interval, has the reading in its answer. The command follows. A board that
- * stops the robot itself reads its sensors within 5 ms, or when its present frame is out.
+ * Returns the worst-case delay that line and sensors cause for any program, in ns: from crossing the limit to the effect of `stop`. It adds
+ * up four delays. Noise delays the reading below the limit. An exchange without this reading has just begun; the next one begins at its
+ * end, or at that of the sensing interval. That next exchange brings the reading. The command follows. A board that stops the robot itself
+ * reads its sensors within 5 ms, or after its present frame.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
@@ -59,15 +59,15 @@ internal fun leastStopNanos(trial: Trial): Long {
 /** The interval at which a board compares its sensors with its rules, in ns. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The longest frame in an answer of a board that watches rules. The numbers of request and part stand in front of the percepts. */
+/** The longest frame in an answer of a board that watches rules. Its payload begins with the numbers of request and part. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
-/** Returns true if the limit leaves at least the physical time to stop, [leastStopNanos]. */
+/** Returns true if the limit leaves enough time to stop: at least [leastStopNanos]. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
-/** Returns the number of bytes of the command `stop`, which version 2 sends by its number. */
+/** Returns the number of bytes of the command `stop`. Version 2 sends a number in place of the word. */
 private fun stopBytes(trial: Trial): Int = if (trial.condition.isVersion2) WireFrame.OVERHEAD + 1 else "stop".length + Frame.HEADER_LENGTH
 
 private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()

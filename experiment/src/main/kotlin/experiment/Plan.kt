@@ -22,7 +22,7 @@ internal enum class Plan(
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** A combination for each filter, to try the experiment itself, with replications for an error term. */
+    /** For a try of the experiment itself: few combinations, with replications for an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
@@ -34,8 +34,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design, at one limit and interval. The design is extended by more sensors and faster lines,
-     * each with all sensors and with only the front distance.
+     * Returns the runs beyond the factorial design, all at one limit and interval: with more sensors and with faster lines. The agent
+     * perceives all sensors, or only the front distance.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {

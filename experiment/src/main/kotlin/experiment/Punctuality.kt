@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
 
 /**
- * Watches whether this machine keeps up with the time of its simulation. A thread asks to be woken every [STEP_NANOS] ns and notes how late
- * it was woken. The same causes delay boards and agents.
+ * Watches whether this machine keeps up with real time in its simulation. A thread asks to be woken every [STEP_NANOS] ns, and notes how
+ * late it was woken. Boards and agents are delayed by the same causes.
  */
 internal class Punctuality : AutoCloseable {
     private class Delay(val at: Long, val nanos: Long)
@@ -25,7 +25,7 @@ internal class Punctuality : AutoCloseable {
         }
     }
 
-    /** Returns the largest lateness of this machine since [start], a [System.nanoTime], in ms; 0 if it was less than 1 ms. */
+    /** Returns the longest delay of this machine since [start], a [System.nanoTime], in ms; 0 if no delay was 1 ms. */
     fun worstSinceMs(start: Long): Double = delays.filter { it.at + it.nanos - start >= 0 }.maxOfOrNull { it.nanos / 1e6 } ?: 0.0
 
     override fun close() {
@@ -39,21 +39,21 @@ internal class Punctuality : AutoCloseable {
     }
 }
 
-/** A run that was late may be made [MAX_TRIES] times. */
+/** A run may be made so many times, if the machine was late in the earlier tries. */
 internal const val MAX_TRIES = 3
 
 /**
- * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time for a request and the answer of the
- * twelve sensors at 9600 baud.
+ * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time that a request and the answer with
+ * twelve sensors take at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
 
-/** True if this machine was later than the condition of the run allows. */
+/** Whether this machine was later than the condition of the run allows. */
 internal val Finished.isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 
 /**
- * Calls [make] again until it has made a run in which this machine was not too late, but at most [MAX_TRIES] times. Returns the last run;
- * null if [make] has made none.
+ * Calls [make] until this machine was not too late in a run, but at most [MAX_TRIES] times. Returns the last run; null as soon as [make]
+ * returns null.
  *
  * @param repeated called before each repetition
  */

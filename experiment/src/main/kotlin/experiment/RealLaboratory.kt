@@ -10,8 +10,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of [keyboard] aborts the experiment. For one
- * thread.
+ * Asks a user to put a real robot back, and waits for a line from [keyboard]. The end of [keyboard] aborts the experiment. For one thread.
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
     private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come
@@ -22,7 +21,7 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
         }
     }
 
-    /** Makes the user put the robot at the start for [trial]; returns false if the experiment is aborted. */
+    /** Asks the user to put the robot at the start for [trial], and waits; returns false if the experiment is aborted. */
     fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
@@ -36,10 +35,10 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times of a result begin as
- * in a [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the
- * agent does not send `stop`, the laboratory sends it. [ready] makes the user put the robot at the start for a run; returns false if the
- * experiment is aborted.
+ * Makes runs with a real robot on [port], one at a time. The robot's position is known only from its front sensor. Both times of a result
+ * begin as in a [Sighting], and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less.
+ * If the agent does not send `stop`, the laboratory does. [ready] waits until the user has put the robot at the start for a run; it returns
+ * false if the experiment is aborted.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -69,7 +68,7 @@ internal class RealLaboratory(
                 )
             }
             halt(witness)
-            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the time in which the command goes out
+            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command goes out in this time
             if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {
@@ -85,15 +84,15 @@ internal class RealLaboratory(
     }
 
     /**
-     * Stops the robot, since a board's motors keep their last command. Does nothing if the agent is in trouble, since it then has no board
-     * for a command.
+     * Stops the robot unless its agent has done so: a board's motors keep their last command. Does nothing if the agent is in trouble,
+     * since it then has no board for a command.
      */
     private fun halt(witness: Witness) {
         if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()
     }
 
     companion object {
-        /** A robot nearer than this, in cm, is at the wall. */
+        /** A robot that is so near, in cm, counts as at the wall. */
         const val WALL_CM = 3.0
         private const val LOOK_MS = 5L
         private const val SETTLE_MS = 1_000L

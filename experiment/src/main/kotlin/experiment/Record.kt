@@ -10,7 +10,7 @@ import java.nio.file.Path
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A line of a run's record. Times are ns of a steady clock since the run began, distances cm. */
+/** A line of a run's record. Times are ns since the run began, by a steady clock. Distances are in cm. */
 @Serializable
 internal sealed interface Entry {
     /** The first line: the run, and its [settings]. */
@@ -18,7 +18,7 @@ internal sealed interface Entry {
     @SerialName("trial")
     data class Begin(val trial: Trial, val settings: Settings<Plan>) : Entry
 
-    /** The board began to send its percepts [text]. [distance] is the robot's true place; null: not known. */
+    /** The board began to send its percepts [text]. [distance] is the robot's true distance from the wall; null: not known. */
     @Serializable
     @SerialName("frame")
     data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
@@ -28,7 +28,7 @@ internal sealed interface Entry {
     @SerialName("command")
     data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
 
-    /** The agent came to believe another front distance, while [events] events and [intentions] intentions remained. */
+    /** The agent began to believe the front distance [front], while [events] events and [intentions] intentions remained. */
     @Serializable
     @SerialName("belief")
     data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
@@ -38,24 +38,24 @@ internal sealed interface Entry {
     @SerialName("result")
     data class Result(
         val outcome: Outcome,
-        /** The final place of the robot; 0 if it ran into the wall. */
+        /** The final distance of the robot from the wall; 0 if it ran into the wall. */
         val distance: Double,
         /**
-         * The time from crossing the limit to stopping or to the wall, in ms. For a real robot it is an estimate, see [Sighting.crossed].
+         * The time from crossing the limit to the stop or the wall, in ms. For a real robot this is an estimate, see [Sighting.crossed].
          */
         val sinceLimitMs: Double = 0.0,
         /**
          * The time from the first believed reading at or below the limit to the stop or the wall, in ms. Negative: the board had stopped
-         * the robot before. Null: the agent believed no such reading.
+         * the robot before the agent believed the reading. Null: the agent believed no such reading.
          */
         val sincePerceivingMs: Double? = null,
         /** The number of commands that took effect; 0 for a real robot. */
         val commands: Int = 0,
         /** The number of the board's answers; 0 for a real robot. */
         val frames: Int = 0,
-        /** The largest lateness of this machine in the run, in ms; 0 for a real robot. */
+        /** The longest delay of this machine in the run, in ms; 0 for a real robot. */
         val lateMs: Double = 0.0,
-        /** For [Outcome.IDLE] and [Outcome.FAILED], the reason why there is nothing to measure. */
+        /** For [Outcome.IDLE] and [Outcome.FAILED]: the reason why nothing was measured. */
         val reason: String? = null,
     ) : Entry
 }
@@ -73,7 +73,7 @@ internal enum class Outcome {
     @SerialName("idle")
     IDLE,
 
-    /** There was nothing to measure, since the agent or its board failed. */
+    /** Nothing was measured, since the agent or its board failed. */
     @SerialName("failed")
     FAILED,
 }
@@ -83,18 +83,18 @@ internal val JSON = Json { encodeDefaults = true }
 /**
  * Writes the record of one run to [file], line by line. Safe on any thread. Overwrites an existing file.
  *
- * An agent and its board write in the middle of a run, so a full disk causes no exception there. The record ends, and [requireWhole]
- * reports it.
+ * An agent and its board write in the middle of a run, so [write] throws nothing if the disk is full. The record then ends, and
+ * [requireWhole] throws the cause.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out = Files.newOutputStream(file) // not buffered, since a line that was refused must not come later
+    private val out = Files.newOutputStream(file) // not buffered: a line that could not be written must not be written later
     private var isEnded = false
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line. Adds nothing after the result, after [close], or after a failed line. A board may still answer when
-     * its run is over.
+     * Adds [entry] as one whole line. Adds nothing after the result, after [close] or after a failed line, since a board may still answer
+     * when its run is over.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {
@@ -108,9 +108,9 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     }
 
     /**
-     * Does nothing if all lines have been written.
+     * Checks that all lines have been written.
      *
-     * @throws IOException with the cause of the missing line
+     * @throws IOException if a line is missing; the exception has the cause
      */
     fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
 
@@ -120,7 +120,7 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     }
 }
 
-/** Reads the record in [file]; null if it is not whole: a line is damaged or missing. */
+/** Reads the record in [file]; null if the record is incomplete or a line of it is damaged. */
 internal fun readRecord(file: Path): List<Entry>? {
     val entries = try {
         Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }

@@ -6,7 +6,7 @@ import argo.filters.RuleList
 import argo.filters.dropFilter
 import argo.filters.keepFilter
 
-/** Makes the filter of [view] with a critical rule. The rule's reflex is `stop` if the front distance is at most [limit] cm. */
+/** Makes the filter of [view] with a critical rule, whose reflex is `stop` if the front distance is at most [limit] cm. */
 internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
     val name = "${view.word}Reflex$limit"
     val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }
@@ -23,8 +23,8 @@ private fun RuleList.stopAt(limit: Int) = critical("dist") {
 }
 
 /**
- * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. Before an experiment begins, this has
- * no filters. So agents of other samples in the same program, and their live views, see no such filters.
+ * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. Offers no filters before an experiment
+ * begins, so that agents of other samples in the same program, and their live views, do not see them.
  */
 internal class ReflexFilters : FilterProvider {
     override val filters get() = offered

@@ -4,15 +4,15 @@ import javino.LineClock
 import samples.collision.Witness
 
 /**
- * Notes when an agent perceives that its robot is at most [limit] cm from the wall. The agent's thread writes, any thread reads. Instants
- * are ns of one steady clock.
+ * Notes when an agent perceives that its robot is at most [limit] cm from the wall. Only the agent's thread may call [see]; any thread may
+ * read. Instants are ns of one steady clock.
  */
 internal class Sighting(private val limit: Int) {
     private var above: Pair<Double, Long>? = null
 
     /**
-     * The instant at which the believed readings crossed the limit; null until then. The instant is interpolated between the last reading
-     * above the limit and the first one at or below it, for a constant speed. The time that a reading takes on its way is left out.
+     * The instant at which the believed readings crossed the limit; null until then. The instant is interpolated, for a constant speed,
+     * between the last reading above the limit and the first one at or below it. It ignores the time from a sensor to the agent.
      */
     @Volatile
     var crossed: Long? = null

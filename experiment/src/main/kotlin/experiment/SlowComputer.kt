@@ -6,8 +6,8 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
 
 /**
- * Accounts for the additional time of a slower computer: the difference between a cycle's time there and here. A time that is too short for
- * waiting is carried over. [factor] is the ratio by which the other computer is slower, at least 1.
+ * Adds up the additional time of a computer that is [factor] times slower than this one: the difference between a cycle's time there and
+ * here. A time that is too short for waiting is added to the next. [factor] is at least 1.
  */
 internal class SlowTime(private val factor: Double) {
     private var owed = 0.0
@@ -16,7 +16,7 @@ internal class SlowTime(private val factor: Double) {
         require(factor >= 1) { "an agent can be slowed down, not sped up: the factor is at least 1, not $factor" }
     }
 
-    /** Adds a cycle that took [cpuNanos] of this computer's time. Returns the ns to wait now. */
+    /** Adds a cycle that took [cpuNanos] of processor time on this computer. Returns the ns to wait now. */
     fun owedAfter(cpuNanos: Long): Long {
         owed += cpuNanos * (factor - 1)
         return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
@@ -27,16 +27,16 @@ internal class SlowTime(private val factor: Double) {
     }
 
     companion object {
-        /** Machines cannot accurately wait for a shorter time. */
+        /** A machine cannot wait accurately for a shorter time. */
         const val MIN_WAIT_NANOS = 200_000L
     }
 }
 
 /**
- * Slows the reasoning of an agent: each cycle takes [factor] times its processor time. Time in which the agent's thread waits, above all
- * for its line, is not stretched.
+ * Slows the reasoning of an agent: each cycle takes [factor] times its processor time. Times in which the agent's thread waits, mostly for
+ * its line, stay as they are.
  *
- * @param processors the processors of the computer, which its agents share; a cycle holds one
+ * @param processors the processors of the slow computer, which its agents share; a cycle occupies one of them
  */
 internal class SlowComputer(private val factor: Double, private val processors: Semaphore = Semaphore(1)) : AgArch() {
     private val time = SlowTime(factor)

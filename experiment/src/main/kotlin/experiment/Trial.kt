@@ -6,7 +6,7 @@ import kotlinx.serialization.Serializable
 import samples.collision.Sensors
 
 /**
- * The way in which agent and board work together in a run.
+ * How agent and board work together in a run.
  *
  * @property letter the condition's name on the command line and in records
  * @property sensing the agent's sensing policy
@@ -25,10 +25,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /**
-     * Like [VERSION_2]. Like the condition above, but the board watches a critical rule at the limit, and the rule's reflex stops the
-     * robot.
-     */
+    /** Like [VERSION_2], but the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
@@ -62,8 +59,8 @@ internal enum class View(val word: String) {
         }
 
     /**
-     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 the filter is a keep filter, so that requests
-     * can name the percepts.
+     * Returns the name of the agent's filter under [condition], for stopping at [limit] cm. For version 2 it is a keep filter, so that
+     * requests can name the percepts.
      */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name
@@ -74,7 +71,7 @@ internal enum class View(val word: String) {
 }
 
 /**
- * One run: a cell of the experiment and the number of its replication.
+ * One run: a combination of the experiment's levels, and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval, in ms
@@ -91,9 +88,9 @@ internal data class Trial(
     val baud: Int = LineSettings.DEFAULT_BAUD,
     val sensors: Int = Sensors.PER_SET,
 ) {
-    /** The name of the run's record and board. No two runs of an experiment share a name. */
+    /** The name of the run's record and of its board. Each run of an experiment has another name. */
     val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
 
-    /** True if the run is beyond the published design. */
+    /** Whether the run is beyond the published design. */
     val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
 }

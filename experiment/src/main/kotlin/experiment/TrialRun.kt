@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.random.Random
 
-/** Makes a run and writes its record, without the result. */
+/** Makes runs, and writes their records except for the result. */
 internal fun interface Laboratory {
-    /** Makes the run [trial] unless [given] ends it. Returns the result; null: the run was given up. Several threads call this. */
+    /** Makes the run [trial] and returns its result; null: [given] has ended the run. Several threads call this. */
     fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
 }
 
@@ -32,7 +32,7 @@ internal class GivenUp {
     fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
 }
 
-/** Simulated robots in real time, as many at once as there are threads that call [run]. */
+/** Simulates robots in real time. Each thread that calls [run] has its own robot. */
 internal class SimulatedLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
@@ -63,8 +63,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again. The robot
-     * then drives until the agent stops it.
+     * Returns true if the run is over. If the board has stopped the robot, the run goes on until the agent has done so too, since a command
+     * that is under way may start the robot again.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
@@ -93,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course]; null while the robot drives or stands at the start. The agent was to stop the robot at [limit] cm, and
- * perceived the wall at [perceived]; null: it has not perceived the wall.
+ * Measures a robot on [course]; null while the robot drives or is at the start. The agent should stop the robot at [limit] cm. [perceived]
+ * is the instant at which the agent perceived the wall; null: it has not perceived the wall.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -108,7 +108,7 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
 
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
-/** A robot whose percepts and actions are recorded, with the robot's true place. */
+/** A robot whose percepts and actions are recorded, with the robot's true distance. */
 internal class RecordedSketch(
     private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
 ) : Sketch {
@@ -127,7 +127,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors() = robot.percepts() // all percepts of a frame at once, since no computer receives them here
+    override fun sensors() = robot.percepts() // the board itself reads these for its rules, so they are not recorded
 
     override fun act(command: String) = robot.act(command).also {
         commands.incrementAndGet()

@@ -32,7 +32,7 @@ import java.util.logging.Level
 import java.util.logging.LogManager
 import java.util.logging.Logger
 
-/** Runs the agents of one computer of a fleet, on Jason's infrastructure for a single computer. */
+/** Runs the agents of one computer of a fleet by Jason's infrastructure for a single computer. */
 internal class FleetMas :
     RunLocalMAS(),
     LocalAgents,
@@ -45,13 +45,13 @@ internal class FleetMas :
     private val log = Logger.getLogger(LOG)
 
     /**
-     * Starts and stops agents that outlive their computers, since the leases must not wait while a program is read. The starts and stops
-     * of an agent follow each other, so that no agent is created twice.
+     * This thread starts and stops agents that outlive their computers: the leases must not wait while an agent's program is read. It does
+     * one start or stop at a time, so that no agent is created twice.
      */
     private val starter = Executors.newSingleThreadExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
 
     init {
-        starter.execute {} // has the thread from the beginning, since the machine may have none left later
+        starter.execute {} // creates the thread now, since the machine may have none left later
     }
 
     /**
@@ -68,7 +68,7 @@ internal class FleetMas :
         return read
     }
 
-    /** For a wrong form, Jason's own reading ends the program with a stack trace. */
+    /** Reads [file] once before Jason does: if the form is wrong, Jason ends the program with a stack trace. */
     private fun requireForm(file: File) = try {
         file.inputStream().use { mas2j(it).mas() }
     } catch (unreadable: TokenMgrError) {
@@ -77,17 +77,17 @@ internal class FleetMas :
         throw FleetProjectException("it is no project: ${unreadable.message?.lineSequence()?.first()}")
     }
 
-    /** Unless the project has a file for its log, the log goes to the console. Jason would open a window. */
+    /** The log's settings if the project has no file for them. The log goes to the console, not to Jason's usual window. */
     override fun getDefaultLogProperties(): InputStream = DEFAULT_LOG.byteInputStream()
 
-    /** The log's settings name a formatter of Jason's, which Java seeks on the program's class path. Jason may be elsewhere. */
+    /** Sets Jason's formatter of the log. Java itself looks for it only on the program's class path, where Jason may not be. */
     private fun useJasonsFormat() {
         val wanted = LogManager.getLogManager().getProperty("java.util.logging.ConsoleHandler.formatter")
         if (wanted != MASConsoleLogFormatter::class.java.name) return
         Logger.getLogger("").handlers.filterIsInstance<ConsoleHandler>().forEach { it.formatter = MASConsoleLogFormatter() }
     }
 
-    /** Creates those of [agents] that belong to this computer, joins [fleet], and then lets these agents begin. */
+    /** Creates those of [agents] that belong to this computer only, joins [fleet], and then lets these agents begin. */
     fun run(fleet: Fleet, agents: List<PlacedAgent>, hosts: Int) {
         this.fleet = fleet
         placed = agents
@@ -144,13 +144,13 @@ internal class FleetMas :
             log.info("$agent runs on ${fleet.here} now" + if (mind == null) "" else ", with what it believed")
         } else {
             stop(created)
-            leases.giveUp(agent, reign) // computers may grant it again before the leases notice that it has ended
+            leases.giveUp(agent, reign) // otherwise new grants could make the reign valid again, with no agent running
         }
     }
 
     override fun stop(agent: String) = starter.execute { getAg(agent)?.let(::stop) }
 
-    /** Stops [agent]. Another agent may have the same name by now. */
+    /** Stops [agent]. Does not remove another agent that has the same name by now. */
     private fun stop(agent: LocalAgArch) {
         agent.stopAg()
         if (getAg(agent.agName) === agent) delAg(agent.agName)

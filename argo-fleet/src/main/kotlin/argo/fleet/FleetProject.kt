@@ -12,7 +12,7 @@ import jason.mas2j.MAS2JProject
 import java.net.InetSocketAddress
 import java.nio.file.Path
 
-/** A project cannot run as a fleet; [message] tells the user why. */
+/** The project cannot run as a fleet; [message] tells the user why. */
 internal class FleetProjectException(override val message: String) : Exception(message)
 
 /**
@@ -30,9 +30,9 @@ internal class PlacedAgent(val name: String, val parameters: AgentParameters, va
  *
  *     infrastructure: Fleet(name(garden), hosts([base("10.8.0.1"), scout1("10.8.0.11:4712")]), port(4711), tls("certificates"))
  *
- * `hosts` names the computers, with the addresses at which they listen. Without an address, the name is a host name. A name that is no word
- * of AgentSpeak stands in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one network find each other.
- * `insecure`, in place of `tls`, allows connections that everybody can read and forge.
+ * `hosts` names the computers, with the addresses at which they listen. A computer without an address is found by its name, as a host name.
+ * A name that is no atom of AgentSpeak is in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one
+ * network find each other. `insecure`, in place of `tls`, allows connections that everybody can read and forge.
  *
  * @property hosts the addresses of the computers, by their names; empty: computers find each other
  * @property agents the agents of all computers
@@ -62,7 +62,7 @@ internal class FleetProject(project: MAS2JProject) {
     /** The agents of the project, each with the computers that it may run on. */
     val planned: Map<String, List<String>> get() = agents.associate { it.name to it.computers }
 
-    /** The agents with a live view, each with its port. */
+    /** The agents with a live view, each with the port of its view. */
     val views: Map<String, Int> get() = agents.mapNotNull { agent ->
         agent.parameters.options?.get(VIEW)?.let { portOf("$it".trim('"')) }?.let { agent.name to it }
     }.toMap()
@@ -174,7 +174,7 @@ internal class FleetProject(project: MAS2JProject) {
         private const val VIEW = "argo_view"
         private val KNOWN = listOf("name", "hosts", "port", "tls", "insecure")
 
-        /** The form of a computer whose name is no word of AgentSpeak. */
+        /** The functor for a computer whose name is no atom of AgentSpeak. */
         private const val NAMED = "host"
         private val ADDRESS = Regex("""(?:\[([0-9a-fA-F:.]+)]|([^:\[\]]+))(?::(\d+))?""")
         private const val LAST_PORT = 65_535

@@ -11,8 +11,8 @@ import kotlin.system.exitProcess
 /**
  * Runs the agents of one computer of a fleet: `java -jar argo-fleet.jar robots.mas2j --at scout1`.
  *
- * Jason is not in this jar, but in another jar of its folder, or on `--class-path`. The program loads its own classes again, together with
- * Jason.
+ * This program's jar does not contain Jason. Jason is in another jar of the same folder, or on `--class-path`. If Jason is missing from the
+ * class path, the program loads its own classes again, together with Jason.
  */
 fun main(arguments: Array<String>) {
     if (hasJason(FleetCommand::class.java.classLoader)) exitProcess(run(arguments))
@@ -44,7 +44,7 @@ private fun hasJason(loader: ClassLoader): Boolean = try {
     false
 }
 
-/** Returns the class path of this program, the jars beside this program's jar, and the places that the option names. */
+/** Returns the entries of this program's class path, the jars beside this program's jar, and the entries of `--class-path`. */
 private fun places(arguments: Array<String>): List<URL> {
     val own = System.getProperty("java.class.path").split(File.pathSeparator)
     val beside = File(FleetCommand::class.java.protectionDomain.codeSource.location.toURI()).parentFile

@@ -5,8 +5,8 @@ import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /**
- * Packages that keep their names: ARGO's own, Kotlin's standard library, jSerialComm, whose native libraries name its classes, and JGroups,
- * which names its own in tables.
+ * Packages that keep their names: ARGO's own, Kotlin's standard library, jSerialComm (its native libraries name its classes) and JGroups
+ * (its tables name its classes).
  */
 internal val OWN_NAMES =
     listOf(
@@ -15,8 +15,8 @@ internal val OWN_NAMES =
     )
 
 /**
- * Packs a jar: both builds run this with JAR VERSION CLASSPATH for `argo.jar`, and with JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`,
- * so that the jars of both hold the same.
+ * Packs a jar. The Maven and the Gradle build both run this, so that their jars have the same content. The arguments are JAR VERSION
+ * CLASSPATH for `argo.jar`, and JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`.
  */
 fun main(arguments: Array<String>) {
     if (arguments.size !in 3..4) {
@@ -32,7 +32,7 @@ fun main(arguments: Array<String>) {
 
 private val TOOLS = mapOf("Main-Class" to "argo.tools.MainKt")
 
-/** `java -jar` finds `argo.jar` next to the jar of fleets. */
+/** With these attributes, `java -jar argo-fleet.jar` finds `argo.jar` in the same folder. */
 private val FLEETS = mapOf("Main-Class" to "argo.fleet.MainKt", "Class-Path" to "argo.jar")
 
 private fun manifest(version: String) = mapOf(

@@ -11,13 +11,13 @@ import kotlin.io.path.outputStream
 
 private const val SERVICES = "META-INF/services/"
 
-/** Files that are valid only in their own jar: signatures, module descriptors, classes for newer Java, build records. */
+/** Files that are valid only in their own jar and are left out: signatures, module descriptors, classes for newer Java, build records. */
 private val LEFT_OUT = Regex("""META-INF/(MANIFEST\.MF|INDEX\.LIST|[^/]+\.(SF|RSA|DSA|EC)|(versions|maven)/.*)|module-info\.class""")
 private val LICENCES = Regex("""META-INF/.*(LICEN[CS]E|NOTICE|COPYING)[^/]*""", RegexOption.IGNORE_CASE)
 
 /**
- * Returns the entries of one jar that holds all of [sources]. Service files of one name are merged; of other files with the same name, the
- * first is taken.
+ * Returns the entries of one jar with the content of all [sources]. Service files with the same name are merged. Of other files with the
+ * same name, the first one is used.
  */
 fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> {
     val packed = sortedMapOf<String, ByteArray>()
@@ -59,7 +59,7 @@ fun writeJar(jar: Path, attributes: Map<String, String>, entries: Map<String, By
     }
 }
 
-/** The time that the entries bear, as in the jars of the modules. */
+/** The time stamp of all entries, as in the jars of the modules. */
 private val WRITTEN = LocalDateTime.of(2026, 1, 1, 0, 0)
 
 private fun Relocation.ofBinary(name: String): String = of(name.replace('.', '/')).replace('/', '.')

@@ -7,21 +7,21 @@ import org.objectweb.asm.commons.ClassRemapper
 import org.objectweb.asm.commons.Remapper
 
 /**
- * Gives the classes of libraries names of their own, so that a project can have another version of the same library.
- * Names in strings, which reflection uses, stay as they are.
- * @param own prefixes of the names that stay
- * @param into the prefix that the other names get
+ * Renames the classes of libraries, so that a project can have another version of the same library. Names in strings, which reflection
+ * uses, stay as they are.
+ * @param own the prefixes of names that stay as they are
+ * @param into the prefix that is added to all other names
  */
 class Relocation(sources: List<Source>, own: List<String>, private val into: String) {
     private val relocated = sources.flatMap { it.classes }.filterNot { name -> own.any { name.startsWith(it) } }.toSet()
 
-    /** Returns the new name of a class; both are internal names, `java/lang/String`. */
+    /** Returns the new name of the class [name]. Both are internal names, such as `java/lang/String`. */
     fun of(name: String): String = if (name in relocated) into + name else name
 
-    /** Returns true if all classes of [source] get new names, so that its `META-INF` for compilers and shrinkers is no longer true. */
+    /** Returns true if all classes of [source] get new names. Then its files in `META-INF` for compilers and shrinkers are wrong. */
     fun isWhole(source: Source): Boolean = source.classes.isNotEmpty() && relocated.containsAll(source.classes)
 
-    /** Returns the class file [bytes] with the new names; the same bytes if it uses none of them. */
+    /** Returns the class file [bytes] with the new names; [bytes] itself if no name in it changes. */
     fun rename(bytes: ByteArray): ByteArray {
         var renamed = false
         val remapper = object : Remapper(Opcodes.ASM9) {

@@ -11,16 +11,16 @@ import kotlin.io.path.relativeTo
 import kotlin.io.path.walk
 
 /**
- * One place of a class path, a jar or a folder.
- * @property entries the files in it by their names, `/` between their parts
+ * One entry of a class path: a jar or a folder.
+ * @property entries the files in it, by their paths, with `/` between the parts
  */
 class Source(val entries: Map<String, ByteArray>) {
-    /** Internal names of the classes, `java/lang/String`. */
+    /** The internal names of the classes, such as `java/lang/String`. */
     val classes: List<String> =
         entries.keys.filter { it.endsWith(".class") && !it.startsWith("META-INF/") }.map { it.removeSuffix(".class") }
 
     companion object {
-        /** Reads the files at [path]; none if it does not exist, as in a module without resources. */
+        /** Reads the files at [path]. There are none if [path] does not exist, as in a module without resources. */
         fun read(path: Path): Source = Source(
             when {
                 !path.exists() -> emptyMap()

@@ -15,15 +15,15 @@ import java.io.PrintWriter
 import kotlin.system.exitProcess
 
 /**
- * Runs the tool in the arguments. Ends the program with the tool's exit status: 0 done, 1 failed, 2 wrong arguments. The property
- * `argo.command` is the command as the user has typed it.
+ * Runs the tool that the arguments name. Ends the program with the tool's exit status: 0 done, 1 failed, 2 wrong arguments. The property
+ * `argo.command` contains the command that the user has typed.
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 
-/** Runs the tool in [arguments], writes its results to [target], and returns its exit status. */
+/** Runs the tool that [arguments] name, writes its results to [target], and returns its exit status. */
 internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandLine): Int {
     val output = WatchedOutput(target)
     tools.setOut(PrintWriter(output.bufferedWriter(standardCharset()), true))

@@ -20,12 +20,12 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-/** Boards in another process, so that their work does not count for the agent's process. */
+/** Runs boards in another process, so that their work does not count for the agent's process. */
 internal class BoardHost private constructor(private val process: Process) : AutoCloseable {
     private val commands = process.outputWriter()
     private val answers = process.inputReader()
 
-    /** The ports of the boards as an agent names them; for boards on devices, the devices of the boards' own ends. */
+    /** The ports of the boards as an agent names them. For boards on devices: the devices at the boards' ends of the lines. */
     val ports: List<String> = words()
 
     /** Returns the number of requests that each board has answered, in the order of [ports]. */
@@ -42,16 +42,16 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     private fun words(): List<String> = checkNotNull(answers.readLine()) { "the boards' process has ended" }.split(' ')
 
     override fun close() {
-        commands.close() // the process ends with its input
+        commands.close() // the process ends when its input ends
         process.waitFor()
     }
 
     companion object {
-        /** Starts boards on the [devices], each with this number of [percepts], which all change with each answer. */
+        /** Starts a board on each of [devices]. Each board has so many [percepts], which all change with each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
             BoardHost(programApart(BOARD_HOST, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
-        /** Starts this number of [boards] on TCP ports of this machine. */
+        /** Starts so many [boards], each on a TCP port of this machine. */
         fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(BOARD_HOST, "$percepts", *Array(boards) { NETWORK }))
     }
 }

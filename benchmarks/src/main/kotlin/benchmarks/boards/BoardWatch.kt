@@ -10,8 +10,8 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts an agent's messages and snapshots of its [boards]. When the agent has perceived all boards, notes the skew after each reasoning
- * cycle with a perception. Safe on any thread.
+ * Counts the messages and perceived snapshots of an agent's boards, [boards] of them. As soon as all boards have been perceived, notes the
+ * skew, the time between the oldest and the newest snapshot, after each cycle with a perception. Safe on any thread.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
@@ -49,7 +49,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
         "only ${perceivedOf.size} of $boards boards are perceived"
     }
 
-    /** Returns the skews since the last call, in ns. */
+    /** Returns the skews that were noted since the last call, in ns. */
     fun takeSkews(): LongArray = synchronized(skews) { skews.toLongArray().also { skews.clear() } }
 
     override fun close() = Unit
@@ -60,7 +60,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
 
         private val watches = ConcurrentHashMap<String, BoardWatch>()
 
-        /** Returns the watch of agent [name], which has been started. */
+        /** Returns the watch of the agent [name], which must have been started. */
         fun of(name: String): BoardWatch = watches.getValue(name)
 
         fun open(name: String, boards: Int): BoardWatch = BoardWatch(boards).also { watches[name] = it }

@@ -34,11 +34,11 @@ internal fun senseSeveral() {
 }
 
 /**
- * Measures an agent that senses this number of [boards] at 50 Hz over pseudo-terminals. Each board has this number of [percepts], which all
- * change with each answer. The boards run in another process. Returns, in this order:
- * - the sensing rate of the board that is sensed least, as a share of the nominal rate, 0 to 1, and the same for perceived snapshots
+ * Measures an agent that senses so many [boards] at 50 Hz over pseudo-terminals. Each board has so many [percepts], which all change with
+ * each answer. The boards run in another process. Returns, in this order:
+ * - the sensing rate of the board that is sensed least often, as a share of 50 Hz, from 0 to 1, and the same for perceived snapshots
  * - the share of one processor that the agent's process took
- * - the [SHARES] of the skew after each cycle with a perception, in ms
+ * - the quantiles for [SHARES] of the skew of [BoardWatch], in ms
  * - the share of one processor that each [ThreadGroup] took
  */
 internal fun boardsCourse(boards: Int, percepts: Int): List<Double> {

@@ -26,8 +26,8 @@ internal fun sensedMany(): String {
 /**
  * Measures an agent of 127 boards on the network, each sensed five times a second. The boards run in another process. Returns, in this
  * order:
- * - the sensing rate of the board that is sensed least, as a share of the nominal rate, 0 to 1
- * - the answers of boards that the agent did not get, or got twice, and the answers of all boards
+ * - the sensing rate of the board that is sensed least often, as a share of the nominal rate, from 0 to 1
+ * - the number of answers that the agent did not get, or got twice, and the number of all answers
  * - the heap for the boards, without garbage, and the resident memory of the process, in MB
  * - the number of threads for the boards
  * - the time from `argo.ports` until all boards have been perceived, and from the agent's end until the boards see all lines closed, in ms

@@ -5,7 +5,7 @@ import java.lang.management.ManagementFactory
 
 /** The groups of threads in an agent's process. */
 internal enum class ThreadGroup(val title: String) {
-    /** The threads that wait for answers, read and filter them. */
+    /** The threads that wait for answers, and read and filter them. */
     SENSING("sensing"),
 
     REASONING("reasoning"),
@@ -13,13 +13,13 @@ internal enum class ThreadGroup(val title: String) {
     /** Other threads of Java: commands, drivers, Jason. */
     OTHER("other threads"),
 
-    /** The Java machine's own: compiler and collector. */
+    /** The Java machine's own threads: compiler and garbage collector. */
     MACHINE("the Java machine"),
 }
 
 /** Processor times in ns since the process began. */
 internal class ProcessorTimes private constructor(val process: Long, private val threads: Map<Long, Pair<ThreadGroup, Long>>) {
-    /** Returns the times used since [earlier]. Threads that have ended since then count for the Java machine. */
+    /** Returns the times since [earlier]. The time of threads that have ended meanwhile counts for the Java machine. */
     operator fun minus(earlier: ProcessorTimes) = ProcessorTimes(
         process - earlier.process,
         threads.mapValues { (id, thread) -> thread.first to thread.second - (earlier.threads[id]?.second ?: 0) },

@@ -12,7 +12,7 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The trouble of one board while the others are measured. */
+/** The trouble that one board has while the others are measured. */
 internal enum class Trouble(val title: String) {
     KILLED("is killed"),
     HANGS("hangs"),
@@ -33,7 +33,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** Gives the board of [baud] this [trouble]. After this the robot of that board is not measured any more. */
+    /** Gives the board at the rate [baud] this [trouble]. From then on its robot is not measured. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)
@@ -49,8 +49,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Makes the agent stop each robot this number of [times]. Returns the reactions by baud rate. The robots cross the limit at instants
-     * spread evenly over the sensing interval. With random instants the median would vary by more than the boards differ from each other.
+     * Makes the agent stop each robot so many [times]. Returns the reactions by baud rate. The robots cross the limit at instants that are
+     * spread evenly over the sensing interval: with random instants, the median would vary more than the boards differ.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -61,7 +61,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
-        for (baud in bauds) { // also draws for lost boards, so that the phases are the same in all runs
+        for (baud in bauds) { // lost boards get random numbers too, so that all runs are alike
             val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
             if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
@@ -125,7 +125,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 }
 
-/** The times after the limit at which robots stopped. */
+/** The times from the limit to the stop of one robot. */
 internal class Reactions(private val ones: List<One>) {
     /** A time from the limit to the stop, in ns, with the timeline of the robot's line since the limit. */
     class One(val nanos: Long, val timeline: String)

@@ -15,7 +15,7 @@ private const val MAX_KILLED_MS = 1000
 private const val MAX_UNPLUGGED_MS = 3000
 private val CROWDS = listOf(2, 10, 50)
 
-/** The rows. Each prints its figures, and returns whether they reach the goal. */
+/** The rows of the result, by their names. Each prints its figures, and returns whether they reach the goal. */
 private val ROWS: Map<String, () -> Boolean> = mapOf(
     "send" to ::pingPongs,
     "failures" to ::noticed,
@@ -26,8 +26,8 @@ private val ROWS: Map<String, () -> Boolean> = mapOf(
 )
 
 /**
- * Measures a fleet of several computers, each a process on this one, in a network namespace of its own if possible. Measures four things:
- * the time of a message there and back, compared with JADE; the time until a failure is noticed; the fate of a million messages while
+ * Measures a fleet of several computers. Each is a process on this computer, in a network namespace of its own if possible. The figures are
+ * the time of a message there and back, compared with JADE; the time until a failure is noticed; the outcomes of a million messages while
  * computers are killed and unplugged; and the cost of membership.
  *
  * @param rows the names of the rows to measure; empty: all
@@ -42,7 +42,7 @@ internal fun fleet(rows: List<String>): Boolean {
 
 private fun names(count: Int) = List(count) { "computer${it + 1}" }
 
-/** Runs [trial] of [count] computers in namespaces. If these cannot be made, says so and returns true. */
+/** Runs [trial] with [count] computers in network namespaces. If namespaces cannot be made, says so and returns true. */
 private fun inNamespaces(what: String, count: Int, trial: (Trial, Namespaces, List<String>) -> Boolean): Boolean {
     Namespaces.missing?.let {
         println("$what: left out, since $it")
@@ -111,7 +111,7 @@ private fun manyMessages() = inNamespaces("messages", MANY) { trial, network, na
     faults.isEmpty()
 }
 
-/** A fault: a computer is killed, and started again later; or it is unplugged for some seconds. */
+/** Disturbs the computer [name]: kills it, starts it if it was killed, or unplugs it for some seconds. */
 private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
     Thread.sleep(random.nextLong(2000))
     when {
@@ -128,7 +128,7 @@ private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
 private fun membership() = CROWDS.map { count ->
     inNamespaces("membership", count) { _, network, names ->
         val seconds = 20
-        Thread.sleep(seconds * 1000L) // joining ends
+        Thread.sleep(seconds * 1000L) // until all have joined
         val before = names.sumOf(network::bytesSent)
         Thread.sleep(seconds * 1000L)
         val rate = (names.sumOf(network::bytesSent) - before) / seconds / count

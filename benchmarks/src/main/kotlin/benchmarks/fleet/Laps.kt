@@ -18,7 +18,7 @@ internal const val NAMES = "names.txt"
 
 /** The times of an agent's messages there and back. */
 internal object Laps {
-    /** The number of first messages that do not count, since Java has not yet compiled the code. */
+    /** The number of first messages that do not count, since Java has not compiled the code yet. */
     private const val COLD = 3000
     private const val MEASURED = 10_000
 
@@ -43,7 +43,7 @@ private fun note(file: String, vararg numbers: Long) = File(file).appendText(num
 
 private fun pid() = ProcessHandle.current().pid()
 
-/** The internal action `benchmarks.fleet.left`: a message leaves. */
+/** The internal action `benchmarks.fleet.left` notes that a message is about to be sent. */
 class left : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         Laps.begin()
@@ -51,7 +51,7 @@ class left : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.came`: the answer has come; after the last answer the program ends. */
+/** The internal action `benchmarks.fleet.came` notes that the answer has come. After the last answer it ends the program. */
 class came : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         Laps.end()
@@ -59,7 +59,7 @@ class came : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.counted(N)`: notes a count. */
+/** The internal action `benchmarks.fleet.counted(N)` notes the count N. */
 class counted : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         note(COUNTS, pid(), System.nanoTime(), (args[0] as NumberTerm).solve().toLong())
@@ -67,7 +67,7 @@ class counted : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.known(Names)`: notes the names of all agents. */
+/** The internal action `benchmarks.fleet.known(Names)` notes a digest of the names of all agents. */
 class known : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         note(NAMES, pid(), (args[0] as ListTerm).map { "$it" }.sorted().hashCode().toLong())

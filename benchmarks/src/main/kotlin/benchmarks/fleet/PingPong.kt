@@ -9,7 +9,7 @@ private const val PATIENCE_S = 120L
 private const val START_S = 60
 private val COMPUTERS = listOf("one", "two")
 
-/** Measures messages of agents there and back between two processes, on the fleet and on JADE. */
+/** Measures the time of agents' messages there and back between two processes, with the fleet and with JADE. */
 internal fun pingPongs(): Boolean {
     val ports = Project.freePorts(2)
     val fleet = pingPong("the fleet", Project.fleetOf(COMPUTERS), "") { listOf("argo.fleet.MainKt", "bench.mas2j", "--at", it) }

@@ -31,7 +31,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     private var classPath = System.getProperty("java.class.path")
 
-    /** Packs the folders of the class path into jars, since an archive that processes share holds only classes of jars. */
+    /** Packs the folders of the class path into jars, since an archive of classes can contain only classes from jars. */
     fun packClasses() {
         val jar = ToolProvider.findFirst("jar").orElseThrow()
         classPath = classPath.split(File.pathSeparator).mapIndexed { place, it ->
@@ -51,7 +51,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     fun startComputer(name: String, options: List<String> = emptyList(), mas2j: String = MAS2J): Process =
         start(listOf("argo.fleet.MainKt", mas2j, "--at", name), options)
 
-    /** Returns the lines of a file that agents write, as numbers; empty: there is no such file yet. */
+    /** Returns the lines of the file [name], which agents write, as numbers; empty: there is no such file yet. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
         .map { line -> line.split(' ').map(String::toLong) }
 
@@ -73,7 +73,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
         private const val OUT = "out.txt"
         private const val MAS2J = "bench.mas2j"
 
-        /** Below the ports that the system gives to outgoing connections: such a port may be taken before the fleet uses it. */
+        /** This is below the ports of outgoing connections: the system could use such a port before the fleet does. */
         private const val FIRST_PORT = 21_000
 
         fun freePorts(count: Int): List<Int> = generateSequence(FIRST_PORT) { it + 1 }.filter(::isFree).take(count).toList()

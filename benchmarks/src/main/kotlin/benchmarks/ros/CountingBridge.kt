@@ -11,12 +11,12 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * Topics of a robot that counts.
+ * The topics and messages of a robot that counts.
  *
- * @property topic the topic that counts
- * @property message the message with a number
+ * @property topic the topic with the numbers
+ * @property message makes the message with a number
  * @property answers the topic of the commands
- * @property number what stands before the number in a command
+ * @property number finds the number in a command, by the text before it
  */
 internal class Counted(val topic: String, val answers: String, number: String, val message: (Int) -> String) {
     val number = Regex("$number: ?(\\d+)")
@@ -27,11 +27,11 @@ internal class Counted(val topic: String, val answers: String, number: String, v
 }
 
 /**
- * A bridge with a topic that counts. Like rosbridge 0.11.17 with `queue_length` 1, this bridge sends the newest message once a
+ * A bridge that publishes increasing numbers. Like rosbridge 0.11.17 with `queue_length` 1, it sends only the newest message once a
  * `throttle_rate`.
  *
  * @param number the bridge's TCP port; 0: a free one
- * @param hz the numbers per second
+ * @param hz how many numbers it publishes a second
  * @param published called with each number before the bridge publishes it
  */
 internal class CountingBridge(
@@ -50,15 +50,15 @@ internal class CountingBridge(
     private var throttleNanos: Long? = null // least time between messages; null: nobody subscribes
     private var sentNanos = System.nanoTime()
 
-    /** Receives the number in each command, on a thread of the bridge. */
+    /** Called with the number in each command, on a thread of the bridge. */
     @Volatile
     var heard: (Int) -> Unit = { }
 
-    /** Whether the bridge counts. */
+    /** Whether the bridge publishes the next numbers by itself. */
     @Volatile
     var isCounting = true
 
-    /** The numbers in commands, in their order. */
+    /** The numbers in the commands so far, in the order of the commands. */
     val done = ConcurrentLinkedQueue<Int>()
 
     private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), number), 1) {

@@ -13,19 +13,19 @@ internal const val REACTING_AGENT = "reacting-agent"
 
 private const val HZ = 50
 private const val ROUNDS = 12
-private const val UNCOUNTED = 6 // in these rounds, of 3,000 scans, Java compiles
+private const val UNCOUNTED = 6 // during these rounds, with 3,000 scans, Java compiles the code
 private const val ROUND_MS = 10_000L
 private const val LATE_MS = 500L
 
-/** Scans of 360 rays, whose nearest distance is the number, and commands with that speed. */
+/** Each message is a scan of 360 rays whose nearest distance is the number; a command has the number as its speed. */
 private val SCANS = Counted("/scan", "/cmd_vel", "\"linear\": ?\\{\"x\"") { number ->
     val ranges = List(360) { ray -> if (ray == 180) number else 1_000_000.125 + ray }
     """{"header":{"seq":$number,"frame_id":"laser"},"range_min":0.1,"range_max":30.0,"ranges":[${ranges.joinToString(",")}]}"""
 }
 
 /**
- * Measures the time from a scan until the bridge has the command that the scan causes: of an agent, and of a client that is written with
- * roslibpy. Each is a process of its own behind a bridge of its own, and scans come to them in turn, 50 a second.
+ * Measures the time from a scan until the bridge has the command that the scan causes, for an agent and for a client that uses roslibpy.
+ * Each of the two is a process with its own bridge. They get scans in turn, 50 a second.
  *
  * @param python a Python that has roslibpy
  * @return true if the agent's median and 99th percentile are at most the client's
@@ -49,7 +49,7 @@ internal fun reactions(python: String): Boolean {
     return listOf(0.5, 0.99).all { agent.times.ms(it) <= client.times.ms(it) }
 }
 
-/** The program of the process with the agent: runs it behind the bridge at the TCP port [number] until the standard input ends. */
+/** The program of the agent's process. Runs the agent with the bridge at the TCP port [number] until the standard input ends. */
 internal fun reactingAgent(number: Int): ByteArray = Agents().use {
     it.start(
         "bob",
@@ -62,7 +62,7 @@ internal fun reactingAgent(number: Int): ByteArray = Agents().use {
     System.`in`.readAllBytes()
 }
 
-/** A client of a bridge that reacts to scans, which [start] starts, given the bridge's port. */
+/** A program that reacts to scans, with its own bridge. [start] starts the program, and gets the bridge's port. */
 private class Reacting(private val name: String, start: (Int) -> Process) : AutoCloseable {
     private val published = ConcurrentHashMap<Int, Long>()
     private val nanos = ConcurrentLinkedQueue<Long>()

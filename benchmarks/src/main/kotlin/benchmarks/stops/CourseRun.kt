@@ -3,7 +3,7 @@ package benchmarks.stops
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
 
-/** An agent with [program] on the robot of [course], in virtual time. The agent opens the port `uno`. For one thread at a time. */
+/** Runs an agent with [program] on the robot of [course], in virtual time. [program] opens the port `uno`. For one thread at a time. */
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     val uno = UnoOnLine(course)
 

@@ -7,14 +7,14 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * The use of a course's line.
  *
- * @property snapshotsPerSecond the snapshots per second of an agent that senses without interval and does not act
- * @property snapshot the bytes of a snapshot, request and answer
+ * @property snapshotsPerSecond the number of snapshots a second of an agent that senses without an interval and does not act
+ * @property snapshot the bytes of a snapshot: those of the request and of the answer
  */
 internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
-    /** The time from the limit to the stop, in ms, if only the line took time and the sensors were read at the limit. */
+    /** The time from the limit to the stop, in ms, if only the line takes time, and the sensors are read at the limit. */
     val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
 
-    /** Like [shortestMs], if the sensors were read just before the limit. */
+    /** Like [shortestMs], but for sensors that are read just before the limit, and again in the next snapshot. */
     val longestMs: Double get() = shortestMs + (snapshot.toBoard + snapshot.toComputer) * byteNanos / NANOS_PER_MS
 }
 
@@ -27,7 +27,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     }
     val acted = CourseRun(course, acts(course)).use { run ->
         run.agent.after(SETTLED)
-        val idle = run.trafficOf { } // the link checks its board now and then
+        val idle = run.trafficOf { } // the link also sends frames of its own now and then
         run.trafficOf { run.agent.hears("bench", "achieve", "stop") } - idle
     }
     return LineFigures(
@@ -35,7 +35,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     )
 }
 
-/** Returns the bytes on the line for [COMMANDS] calls of [command]. */
+/** Returns the bytes that are on the line during [COMMANDS] calls of [command]. */
 private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
     val before = uno.traffic
     repeat(COMMANDS) {

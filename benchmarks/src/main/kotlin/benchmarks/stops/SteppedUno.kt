@@ -16,24 +16,24 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
     private val answers = process.inputReader()
     private var reached = 0L
 
-    /** Called with each byte from the board and the time at which its last bit arrives, at most a byte's time in advance. */
+    /** Called with each byte from the board, and with the time at which the byte's last bit will arrive, at most a byte time later. */
     var sent: (Byte, Long) -> Unit = { _, _ -> }
 
-    /** Called with each change of a watched pin: the pin, true if it is high now, and the time. */
+    /** Called at each change of a watched pin, with the pin, whether it is high now, and the time. */
     var changed: (Int, Boolean, Long) -> Unit = { _, _, _ -> }
 
-    /** Runs the sketch until [nanos], unless it has reached that time. */
+    /** Runs the sketch until [nanos], unless it has already reached this time. */
     fun runTo(nanos: Long) {
         if (nanos <= reached) return
         reached = nanos
         command("run ${cycle(nanos)}")
     }
 
-    /** Puts [bytes] on the line, each in [byteNanos]. The first byte begins at [atNanos], which must not be before the sketch's time. */
+    /** Sends [bytes] to the sketch, each in [byteNanos]. The first one begins at [atNanos], which must not be in the sketch's past. */
     fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
         command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
 
-    /** Applies a voltage to an analogue input such as `A0`. */
+    /** Applies a voltage to the analogue input [input], such as `A0`. */
     fun setMillivolts(input: String, millivolts: Int) = command("set $input $millivolts")
 
     /** Reports changes of [pin] from now on. */

@@ -15,9 +15,9 @@ internal enum class Firmware(val sketch: String) {
 }
 
 /**
- * A robot, a line and an agent.
+ * The robot, the line and the agent of a measurement.
  *
- * @property loopMs the time of each `loop()` of the sketch, besides the library's work, in ms
+ * @property loopMs the time of each `loop()` of the sketch without the library's work, in ms
  * @property cycleTime the time of a reasoning cycle of the agent
  */
 internal data class StopCourse(
@@ -41,10 +41,10 @@ internal data class StopCourse(
     ).joinToString()
 }
 
-/** The time of a reasoning cycle of the benches of stops and boards, if a course has no other. */
+/** The default time of a reasoning cycle in the benches of stops and boards. */
 internal val CYCLE_TIME = 100.microseconds
 
-/** The files of the bench of stops: sources, and the output of `make bench` in `javino-arduino`. */
+/** The files for the bench of stops, which `make bench` in `javino-arduino` builds. */
 internal object Bench {
     private val home: Path = generateSequence(Bench::class.java.protectionDomain.codeSource.location.toURI().toPath()) { it.parent }
         .firstOrNull { it.resolve("javino-arduino").isDirectory() } ?: Path.of("")
@@ -53,7 +53,7 @@ internal object Bench {
 
     val agents: Path = home.resolve("experiment/agent")
 
-    /** Returns the compiled sketch, which may not exist. */
+    /** Returns the path of the compiled sketch, which may not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }

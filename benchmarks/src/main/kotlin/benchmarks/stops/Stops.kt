@@ -10,11 +10,11 @@ import kotlin.time.Duration.Companion.seconds
  * The stops of a course.
  *
  * @property responses the times from the limit to the stop, in ns, in their order
- * @property rests the times from the limit until the robot stood for good, in ns. A time is longer than the response if an earlier command
- * `front` drove the robot on after a reflex.
- * @property worst the timeline of line and board in the longest response, in ms from the limit on
+ * @property rests the times from the limit until the robot had stopped for good, in ns. Such a time is longer than the response if an
+ * earlier command `front` made the robot drive again after a reflex.
+ * @property worst the timeline of line and board for the longest response, in ms after the limit
  * @property commands the number of commands that the sketch has carried out
- * @property sent the number of commands sent in version 1; in version 2 they are not counted
+ * @property sent the number of commands that were sent in version 1; in version 2 they are not counted
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,
@@ -22,10 +22,10 @@ internal class Stops(
     val distribution = Distribution(responses.toLongArray())
 }
 
-/** Makes the published agent stop the robot of [course] [stops] times. The phases between robot, line and agent come from [seed]. */
+/** Makes the published agent stop the robot of [course], [stops] times. The phases between robot, line and agent depend on [seed]. */
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
-    run.awaitStop() // at the first stop, line and agent are not in step
+    run.awaitStop() // the first stop does not count: line and agent are not in step
     run.rest(course.shortWay)
     val made = List(stops) { run.stop(course.shortWay, random) }
     run.agent.hears("bench", "achieve", "rest").after(QUIET)
@@ -58,7 +58,7 @@ private fun CourseRun.stop(way: Int, random: Random): Stop {
     return Stop(checkNotNull(robot.stoppedAt) - crossedAt, checkNotNull(robot.restsSince) - crossedAt, events)
 }
 
-/** Waits until the agent has stopped the robot, even if a reflex has done so before. */
+/** Waits until the agent itself has stopped the robot, which a reflex may have stopped before. */
 private fun CourseRun.rest(way: Int) {
     agent.shouldBelieve("status(stopped)", within = PATIENCE)
     agent.after(timeFor(way))
@@ -74,7 +74,7 @@ private fun CourseRun.awaitStop() {
     } while (robot.stoppedAt == null)
 }
 
-/** The shortest way of the robot before the limit, in mm. A slower line takes longer to get in step. */
+/** The shortest way of the robot to the limit, in mm. It is longer with a slower line, which takes longer to get in step. */
 private val StopCourse.shortWay get() = 10 + 400_000 / baud
 
 private fun timeFor(way: Int) = (way * WatchedRobot.MILLIMETRE_NANOS).nanoseconds

@@ -2,7 +2,7 @@ package benchmarks.stops
 
 import benchmarks.figures
 
-/** The events on a line and on its board, as a text. Bytes that follow each other without a gap are one entry. */
+/** Collects the events on a line and on its board for a text. Bytes of one sender without a gap between them are one entry. */
 internal class Timeline(private val byteNanos: Long) {
     private class Entry(val what: String, val fromNanos: Long, var toNanos: Long, var bytes: Int)
 
@@ -26,7 +26,7 @@ internal class Timeline(private val byteNanos: Long) {
         }
     }
 
-    /** Returns all events, with times in ms from [nanos] on. */
+    /** Returns all events as lines of text, with times in ms after [nanos]. */
     fun since(nanos: Long): String = entries.sortedBy { it.fromNanos }.joinToString("") { entry ->
         val from = (entry.fromNanos - nanos) / NANOS_PER_MS
         val to = (entry.toNanos - nanos) / NANOS_PER_MS

@@ -6,7 +6,7 @@ import javino.LineSettings
 import javino.PerceptsRequest
 import java.util.concurrent.atomic.AtomicInteger
 
-/** The board of [course] with its robot, on the line that an agent opens. For one thread at a time. */
+/** The board and the robot of [course], on a line that an agent opens. For one thread at a time. */
 internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     private val uno = SteppedUno(Bench.simulator, course.elf)
     private var line: SteppedLine? = null
@@ -23,7 +23,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
 
     val traffic: Traffic get() = line?.traffic ?: Traffic(0, 0)
 
-    /** Opens the board's line. Resets the board unless this is the first time. */
+    /** Opens the board's line. Resets the board, except at the first call. */
     fun open(port: String, settings: LineSettings, clock: LineClock): SteppedLine {
         if (robotOrNull == null) robotOrNull = WatchedRobot(uno, clock, timeline) else uno.reset()
         val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(settings)) { if (!PerceptsRequest.isIn(it.text())) sent++ }
@@ -37,7 +37,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
 
     fun hangs() = requireLine().hang(null)
 
-    /** Stops the board, and sends [message] in its place without a pause. */
+    /** Stops the board, and sends [message] again and again in its place, without a pause. */
     fun floods(message: ByteArray) = requireLine().hang(message)
 
     private fun requireLine() = checkNotNull(line) { "its port has not been opened" }
@@ -45,7 +45,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     override fun close() = uno.close()
 
     private companion object {
-        /** Numbers the lines. So each line has its own name, by which links remember used numbers, and each run is like the first one. */
+        /** Numbers the lines, so that each has its own name. Links remember used numbers by that name, so each run is like the first. */
         val lines = AtomicInteger()
     }
 }

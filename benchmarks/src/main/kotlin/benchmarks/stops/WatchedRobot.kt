@@ -3,8 +3,8 @@ package benchmarks.stops
 import javino.LineClock
 
 /**
- * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. The robot drives at 10 cm/s towards a wall while
- * the sketch's pin is on. The robot's front sensor gives 1 mV for each mm from the wall.
+ * The robot that the sketch `Stops` or `FieldStops` on [uno] drives, in the time of [clock]. The robot drives towards a wall at 10 cm/s
+ * while the sketch's pin is high. Its front sensor gives 1 mV for each mm from the wall.
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
@@ -12,15 +12,15 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
-    /** The time at which the sensor first gave the limit or less, in ns; null: it has not done so since the robot was [placed][place]. */
+    /** The time at which the sensor first showed the limit or less, in ns; null: not yet since the robot was [placed][place]. */
     var crossedAt: Long? = null
         private set
 
-    /** The time at which the robot stopped after [crossedAt], in ns; null: it has not stopped so far. */
+    /** The time of the robot's first stop after [crossedAt], in ns; null: it has not stopped yet. */
     var stoppedAt: Long? = null
         private set
 
-    /** The time since which the robot stands, in ns; null: it has not stopped since it was [placed][place]. */
+    /** The time of the robot's last stop after [crossedAt], in ns; null: it has not stopped yet since it was [placed][place]. */
     var restsSince: Long? = null
         private set
 
@@ -57,7 +57,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // but not the first low level, which makes the pin an output
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // the first low level is no edge: it only makes the pin an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)
@@ -98,7 +98,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         private const val LOOKED = 10
         private const val STARTED = 11
 
-        /** Returns the voltage that the sketch reads at its analogue input: ten bits of 5 V. */
+        /** Returns the voltage as the sketch reads it at its analogue input: in mV, with a resolution of ten bits of 5 V. */
         private fun seen(millivolts: Int) = millivolts * 1023 / 5000 * 5000 / 1023
     }
 }

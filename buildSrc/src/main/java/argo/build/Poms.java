@@ -22,12 +22,12 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * Reads Maven's POMs for the Gradle build, which declares no modules, versions and dependencies itself. Fails if it does not know a
- * dependency, a compiler plugin or a pattern of resources, since Gradle would build without it. Other plugins of Maven are not read: a
+ * Reads Maven's POMs for the Gradle build, which declares no modules, versions or dependencies itself. Fails if it does not understand a
+ * dependency, a compiler plugin or a pattern of resources, since Gradle would build without it. Ignores Maven's other plugins: a
  * build.gradle.kts does their work.
  */
 public final class Poms {
-    /** Prints the facts that Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
+    /** Prints what Gradle reads about each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
     public static void main(String[] arguments) {
         Map<String, String> given = new HashMap<>();
         Arrays.stream(arguments).skip(1).map(it -> it.split("=", 2)).forEach(it -> given.put(it[0], it[1]));
@@ -37,12 +37,12 @@ public final class Poms {
     }
 
     /**
-     * A module, or another folder with a POM. Sources and resources are the folders that come in addition to the usual ones, relative to
+     * A module, or another folder with a POM. Only folders of sources and resources beyond the usual ones are listed, as paths relative to
      * the module. Folders of Java sources end in {@code /java}.
      *
-     * @param isLibrary whether it is published
-     * @param isSerialized whether it is compiled with Kotlin's plugin for serialization
-     * @param processors the coordinates of Java's annotation processors
+     * @param isLibrary whether the module is published
+     * @param isSerialized whether the module is compiled with Kotlin's plugin for serialization
+     * @param processors the coordinates of the annotation processors for Java
      */
     public record Module(
             String name,
@@ -56,7 +56,7 @@ public final class Poms {
             List<Resource> testResources) {}
 
     /**
-     * A dependency, in the Gradle configurations for its scope.
+     * A dependency, with the Gradle configurations that correspond to its scope in Maven.
      *
      * @param excluded the libraries to leave out, as {@code group:name}
      */
@@ -73,14 +73,14 @@ public final class Poms {
     }
 
     /**
-     * A folder of resources and its place on the class path, empty for the top.
+     * A folder of resources, with its path on the class path; empty for the root of the class path.
      *
-     * @param files the names of the resources; empty for all files of the folder
+     * @param files the names of the resources in the folder; empty: all files of the folder
      */
     public record Resource(String folder, String target, List<String> files) {}
 
     private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
-    // a dependency of type pom is a module to build first, not a library
+    // a dependency of type pom is no library: it only names a module to build first
     private static final String DEPENDENCIES =
             "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
     private static final String UNKNOWN =
@@ -113,12 +113,12 @@ public final class Poms {
         return text("version");
     }
 
-    /** The text of an element of the parent, by a path such as {@code licenses/license/name}. */
+    /** Returns the text of an element of the parent POM, by a path such as {@code licenses/license/name}. */
     public String text(String path) {
         return text(parent, path, parent);
     }
 
-    /** The value of a property of the parent, such as {@code jason.version}. */
+    /** Returns the value of a property of the parent POM, such as {@code jason.version}. */
     public String property(String name) {
         return resolved("${" + name + "}", parent);
     }
@@ -127,7 +127,7 @@ public final class Poms {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
-    /** The module, or another part with a POM, in the folder {@code name}. */
+    /** Returns the module, or another part with a POM, in the folder {@code name}. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
@@ -165,7 +165,7 @@ public final class Poms {
                     case "provided" -> List.of("compileOnly", "testImplementation");
                     case "runtime" -> List.of("runtimeOnly");
                     case "test" -> List.of("testImplementation");
-                    default -> List.of("api"); // users of a library also compile with these, as in Maven
+                    default -> List.of("api"); // users of a library also compile with these dependencies, as in Maven
                 },
                 group,
                 name,
@@ -182,7 +182,7 @@ public final class Poms {
                         .toList());
     }
 
-    /** Returns the source folders, Java's included, that an execution of Kotlin's compiler adds to the usual ones. */
+    /** Returns the source folders, also of Java, that an execution of Kotlin's compiler adds to the usual ones. */
     private List<String> sources(Element pom, String execution, String usual) {
         return at(
                         pom,
@@ -193,8 +193,8 @@ public final class Poms {
     }
 
     /**
-     * Returns the folders of resources except the usual one. Without a target, the only known pattern is a whole folder of the module,
-     * {@code name/**}; with a target, it is names of files.
+     * Returns the folders of resources, without the usual one. The only known patterns are a whole folder of the module, {@code name/**},
+     * if there is no target, and names of files if there is a target.
      */
     private List<Resource> resources(Element pom, String path, String usual) {
         String parts = path + "[includes and not(targetPath)]";

@@ -10,8 +10,8 @@ internal enum class Source(val factors: Set<Int>) {
 }
 
 /**
- * The effect of a combination of levels of the factors in [source]: the response there, less the mean and the lower effects. [levels] has
- * the level of each of the source's factors, from 0, in the order of the factors.
+ * The effect of one combination of levels of the factors in [source]: the mean response there, less the total mean and the effects of fewer
+ * of these factors. [levels] has the level of each of the factors, from 0, in their order.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
@@ -21,8 +21,8 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
  * Analysis, Wiley 1991, chapters 22 and 23. The model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
  * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
- * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one response the
- * error cannot be estimated: its share is 0 and the confidence intervals are infinite.
+ * the response in replication r of the cell at level i of A, j of B and k of C. All cells have equally many responses, at least one. With
+ * one response the error cannot be estimated: its share is 0 and the confidence intervals are infinite.
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
@@ -45,7 +45,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     val count = cells.size * replications
 
-    /** Smaller values come only from rounding in sums of such large numbers. */
+    /** Values below this are only rounding errors of sums. */
     private val rounding = ROUNDING * cells.maxOf { cell -> at(cell).maxOf(::abs) }
 
     private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
@@ -92,7 +92,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
 
-    /** Returns half the width of the confidence interval of a sum of [freedom] contrasts of equal variance. */
+    /** Returns half the width of the confidence interval of each effect of a source with this [freedom]. */
     private fun margin(freedom: Int, confidence: Double): Double {
         if (errorFreedom == 0) return Double.POSITIVE_INFINITY
         val deviation = sqrt(error / errorFreedom * freedom / count)
@@ -100,7 +100,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     }
 
     private companion object {
-        /** The part of the largest response that counts as rounding, since a double has sixteen digits. */
+        /** This part of the largest response counts as a rounding error, since a double has sixteen digits. */
         const val ROUNDING = 1e-12
     }
 }

@@ -8,7 +8,7 @@ internal const val CONFIDENCE = 0.95
 internal data class Interval(val low: Double, val high: Double)
 
 /**
- * Returns the interval of an event's probability if [found] of [of] runs had the event. The interval is Wilson's score interval,
+ * Returns the confidence interval of the probability of an event that [found] of [of] runs had. The interval is Wilson's score interval,
  * recommended for few runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16
  * (2001). [of] is at least 1.
  */
@@ -17,8 +17,8 @@ internal fun proportionInterval(found: Int, of: Int): Interval =
 
 /**
  * Returns the interval of the median of a population from its sample [values]. The ends of the interval are two of [values], whatever the
- * distribution (H. A. David and H. N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values, and even
- * the least and the greatest of so few do not enclose the median often enough.
+ * distribution (H. A. David and H. N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values, which
+ * are too few: even the least and the greatest do not enclose the median often enough.
  */
 internal fun medianInterval(values: List<Double>): Interval? {
     val below = BinomialDistribution(null, values.size, 0.5) // the number of values below the median

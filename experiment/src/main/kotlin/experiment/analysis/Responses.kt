@@ -11,17 +11,17 @@ import samples.collision.Course
 /**
  * The analysed number of each run.
  *
- * The time of a robot that ran into the wall is not known, since the run ended before its agent reacted. Its number is a choice.
+ * If a robot ran into the wall, its time is not known, since the run ended before its agent reacted. Then the number is a choice.
  *
  * @property collisions the number for a robot that ran into the wall, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published response. All collisions count the same, so the limit, which is a factor, does not also weigh them. */
+    /** The published response. All collisions get one number, which does not depend on the limit, since the limit is a factor itself. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** The shortest possible time: the agent needed at least this. */
+    /** Like [PERCEIVED_TIME], but a collision has the time until the wall: the agent needed at least this. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",
@@ -29,7 +29,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** The robot's time, which includes the time that readings take on their way. */
+    /** The time since the robot was at the limit. It includes the time from the sensor to the agent. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },
@@ -40,7 +40,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
 
     val isTime: Boolean get() = unit == "s"
 
-    /** True if the paper has this response, apart from its values for collisions. */
+    /** Whether the paper has this response, perhaps with other numbers for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
     abstract fun of(result: Entry.Result, plan: Plan): Double
@@ -53,10 +53,10 @@ private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
 /** The factors in the order of the analysis: L, I, F as A, B, C. */
 internal val FACTORS = listOf("L", "I", "F")
 
-/** Names [source] of these three [factors]: `L×F`. */
+/** Returns the name of [source] in terms of these three [factors], such as `L×F`. */
 internal fun words(source: Source, factors: List<String> = FACTORS): String = source.factors.joinToString("×") { factors[it] }
 
-/** Analyses [response] in the runs of [plan] under [condition]; null if some of them are missing or have failed. */
+/** Analyses [response] in the runs of [plan] under [condition]; null if some of these runs are missing or have failed. */
 internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {
     val results = finished.filter { it.isMeasured }.associate { it.trial to it.result }
     val trials = plan.trials(condition)
@@ -75,7 +75,7 @@ internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition
 }
 
 /**
- * The published shares of the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2, in percent. F is
+ * The published shares, in percent, in the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2. F is
  * the filter, L the distance limit, I the perception interval.
  */
 internal object Published {

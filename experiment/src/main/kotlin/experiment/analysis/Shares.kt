@@ -10,17 +10,17 @@ internal data class Squares(val sum: Double, val freedom: Int) {
 }
 
 /**
- * The intervals at [CONFIDENCE] of the shares of an experiment with infinitely many runs of each combination.
+ * The intervals, at [CONFIDENCE], of the shares that infinitely many runs of each combination would have.
  *
- * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), with the mean square s
- * of its effects and the mean square t of all effects. A share in the sample is larger, since the means behind the effects contain errors.
- * The error's share is smaller by the same amount. So a small share can lie outside of its interval.
+ * The errors are assumed to be normal and independent, with one variance v. The share of a source is then s / (t + v), with the mean square
+ * s of its effects and the mean square t of all effects. In a sample, shares of sources are larger, since the measured effects contain
+ * errors, and the share of the error is smaller. So a small share in the sample can lie outside of its interval.
  *
  * @property sources the intervals of factors and interactions
  */
 internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
 
-/** Returns the intervals of the shares in [analysis]; null with one replication, since there is no error for a comparison. */
+/** Returns the intervals of the shares in [analysis]; null if there is one replication, since the error is then not known. */
 internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS): ShareIntervals? {
     if (analysis.errorFreedom == 0) return null
     val pivots = SharePivots(Squares(analysis.error, analysis.errorFreedom), analysis.count, Well19937c(seed), draws)
@@ -37,15 +37,16 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and P.
  * Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
  *
- * A sum of squares over the variance is noncentral chi-squared. The noncentrality is the variance's share in the responses, times their
- * [count]. So a share is `own / (own + others + count)` in noncentralities. A random number replaces each noncentrality. The distribution
- * function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The variance is
- * replaced by [error] over a chi-squared random number. The ends of the interval are two percentiles of the shares so drawn.
+ * A source's sum of squares over the errors' variance is noncentral chi-squared. With the noncentralities `own` of one source and `others`
+ * of the other sources, and the [count] of the responses, a share is `own / (own + others + count)`. Random numbers replace the unknown
+ * noncentralities: the probability that such a number is at most x is the probability that a sum of squares with noncentrality x exceeds
+ * the observed one. [error] over a chi-squared random number replaces the variance. The ends of the interval are two percentiles of the
+ * shares drawn in this way.
  *
- * Without other effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9,
- * 2004). For several effects this distribution gives no interval.
+ * If there are no other effects, the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological
+ * Methods 9, 2004). For several effects it gives none.
  *
- * @param error has at least one degree of freedom
+ * @param error the errors' sum of squares, with at least one degree of freedom
  */
 internal class SharePivots(
     private val error: Squares, private val count: Int, private val random: RandomGenerator, private val draws: Int,
@@ -65,8 +66,8 @@ internal class SharePivots(
 
     /**
      * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw subtracts a central
-     * chi-squared number from the observed one. If the remainder is negative, the result is 0. Otherwise it is a noncentral chi-squared
-     * number with two degrees of freedom and the rest as its noncentrality.
+     * chi-squared number from the observed one. If the remainder is negative, the result is 0. Otherwise the result is a noncentral
+     * chi-squared number with two degrees of freedom, whose noncentrality is the remainder.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)
@@ -93,5 +94,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** The number of draws. This number puts an end of an interval at the wanted percentile, give or take 0.2. */
+/** The number of draws. With so many, the ends of an interval are at the wanted percentiles, give or take 0.2. */
 private const val DRAWS = 10_000

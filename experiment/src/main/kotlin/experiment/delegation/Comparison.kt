@@ -18,8 +18,8 @@ import kotlin.math.sqrt
 internal data class Ratio(val value: Double, val interval: Interval?)
 
 /**
- * Returns the ratio whose logarithms were measured in each block, by Student's t distribution: the blocks are independent, and anything
- * that a machine does to a whole block changes both times of the ratio alike.
+ * Returns the ratio from its [logarithms], one for each block, by Student's t distribution. The blocks are independent, and what slows a
+ * whole block changes both times of its ratio alike.
  */
 internal fun ratio(logarithms: List<Double>): Ratio {
     val values = logarithms.toDoubleArray()
@@ -30,7 +30,7 @@ internal fun ratio(logarithms: List<Double>): Ratio {
     return Ratio(exp(mean), Interval(exp(mean - margin), exp(mean + margin)))
 }
 
-/** Compares the designs in the runs [measured] of whole blocks of [plan]. The reaction of a run is the median of its reactions. */
+/** Compares the designs by the [measured] runs, which are whole blocks of [plan]. A run counts by the median of its reactions. */
 internal class Comparison(measured: List<Measured>, val plan: DelegationPlan) {
     private val results = measured.associate { it.run to it.result }
 
@@ -51,7 +51,7 @@ internal class Comparison(measured: List<Measured>, val plan: DelegationPlan) {
         },
     )
 
-    /** Analyses the logarithms of the reactions with this number of [processors] and this [interval] by design, sensors and plans. */
+    /** Analyses the logarithms of the reactions with [processors] and [interval]. The factors are design, sensors and plans. */
     fun allocation(processors: Int, interval: Int) = Factorial(
         Design.entries.map { design ->
             plan.sensors.map { sensors ->

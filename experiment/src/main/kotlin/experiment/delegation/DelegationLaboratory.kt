@@ -10,16 +10,16 @@ import kotlinx.serialization.Serializable
 import kotlin.random.Random
 
 /**
- * What a run has measured.
+ * The result of a run.
  *
- * @property reactions the times from a stimulus to its reaction, in ms, in their order, without those of the beginning
+ * @property reactions the times from a stimulus to its reaction, in ms, in their order; those of the warm-up are left out
  * @property missed the number of stimuli without a reaction within [Stimuli.LIMIT_MS], which are not among [reactions]
- * @property busy the average number of processors at work for the agents
- * @property lateMs the largest lateness of this machine in the run, in ms
+ * @property busy the average number of processors that worked for the agents
+ * @property lateMs the longest delay of this machine in the run, in ms
  */
 @Serializable
 internal data class DelegationResult(val reactions: List<Double>, val missed: Int, val busy: Double, val lateMs: Double) {
-    /** All times in ascending order. A stimulus that was missed counts as the longest time. */
+    /** All reaction times in ascending order. A missed stimulus counts as [Stimuli.LIMIT_MS]. */
     val times: List<Double> get() = reactions.sorted() + List(missed) { Stimuli.LIMIT_MS.toDouble() }
 
     val isLate: Boolean get() = lateMs > MAX_LATE_MS
@@ -29,7 +29,7 @@ internal data class DelegationResult(val reactions: List<Double>, val missed: In
     }
 }
 
-/** Makes runs in real time: agents on slow computers, boards on simulated lines. Several threads may call [run]. */
+/** Makes runs in real time, with agents on slow computers and boards on simulated lines. Several threads may call [run]. */
 internal class DelegationLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
@@ -37,7 +37,7 @@ internal class DelegationLaboratory(
     private val slowdown: Double,
     private val clock: LineClock = LineClock.system(),
 ) {
-    /** Makes [run] until [given] is up. Returns its result; null if it was given up. */
+    /** Makes [run], and returns its result; null if [given] has ended the run. */
     fun run(run: DelegationRun, given: GivenUp): DelegationResult? {
         val begin = clock.nanos()
         val stimuli = Stimuli(run.load.sensors, clock, Random(31 * seed + run.id.hashCode()))
@@ -67,7 +67,7 @@ internal class DelegationLaboratory(
         const val WARM_UP_MS = 700L
         const val MEASURED_MS = 2_500L
 
-        /** The expected time of a run with its beginning and end, in ms. */
+        /** The expected time of a run, including its beginning and end, in ms. */
         const val EXPECTED_MS = WARM_UP_MS + MEASURED_MS + 500
 
         private const val LOOK_MS = 10L

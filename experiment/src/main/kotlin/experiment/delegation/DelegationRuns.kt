@@ -14,7 +14,7 @@ import kotlin.io.path.readText
 @Serializable
 internal data class Measured(val run: DelegationRun, val result: DelegationResult)
 
-/** Returns the archive of the experiment in [directory], with a line in a file for each run. */
+/** Returns the archive of the experiment in [directory]. A run's record is one line in its own file. */
 internal fun delegationArchive(directory: Path): Archive<DelegationPlan, Measured> =
     Archive(directory, DelegationPlan.serializer(), ::measuredIn)
 
@@ -24,7 +24,7 @@ private fun measuredIn(file: Path): Measured? = try {
     null // the line is cut off, or another version of this program wrote it
 }
 
-/** The runs of the experiment, which [laboratory] makes, and whose records [archive] keeps. */
+/** The runs of the experiment. [laboratory] makes the runs, and [archive] keeps their records. */
 internal class DelegationRuns(
     private val archive: Archive<DelegationPlan, Measured>, private val laboratory: DelegationLaboratory,
 ) : Runs<DelegationRun, Measured> {
@@ -32,7 +32,7 @@ internal class DelegationRuns(
 
     override fun make(run: DelegationRun, given: GivenUp): Measured? {
         val file = archive.file(run.id)
-        Files.deleteIfExists(file) // a late try must not count if this try is given up
+        Files.deleteIfExists(file) // an earlier try, which was late, must not count if this one is aborted
         val measured = laboratory.run(run, given)?.let { Measured(run, it) } ?: return null
         Files.writeString(file, JSON.encodeToString(Measured.serializer(), measured) + "\n")
         return measured

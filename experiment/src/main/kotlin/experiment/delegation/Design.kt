@@ -3,11 +3,11 @@ package experiment.delegation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
-/** The kinds of the robot's sensors, by the functors of their percepts. A third of the sensors is of each kind. */
+/** The kinds of the robot's sensors, by the functors of their percepts. Each kind has a third of the sensors. */
 internal val KINDS = listOf("dist", "light", "temp")
 
 /**
- * The share of work among agents: who senses, who reasons, and who acts.
+ * How agents share the work: which of them sense, reason and act.
  *
  * @property word the design's name in records
  * @property boards the robot's boards, each with the kinds of its sensors; the first one has the motors
@@ -17,7 +17,7 @@ internal enum class Design(val word: String, val title: String, val boards: List
     @SerialName("one")
     ONE("one", "one agent", listOf(KINDS)),
 
-    /** Like [ONE], with a line for each kind of sensor. This design shows whether the lines or the agents make a difference. */
+    /** Like [ONE], but with a board and a line for each kind of sensor, to show whether the lines or the agents make a difference. */
     @SerialName("boards")
     BOARDS("boards", "one agent, three boards", KINDS.map(::listOf)),
 
@@ -25,7 +25,7 @@ internal enum class Design(val word: String, val title: String, val boards: List
     @SerialName("kinds")
     KINDS_APART("kinds", "an agent for each kind", KINDS.map(::listOf)),
 
-    /** An ARGO agent that senses and acts, and for each kind of sensor a common agent that reasons about what the first one tells it. */
+    /** An ARGO agent senses and acts. For each kind of sensor, a common agent reasons about the percepts that the ARGO agent sends it. */
     @SerialName("delegates")
     DELEGATES("delegates", "one agent delegates", listOf(KINDS)),
 }

@@ -5,24 +5,24 @@ import kotlinx.serialization.Serializable
 import kotlin.random.Random
 
 /**
- * The work of the agents of a run, and their means.
+ * The work of the agents of a run, and the processors for it.
  *
  * @property processors the number of processors that the agents share
  * @property interval the sensing interval, in ms
  * @property sensors the number of the robot's sensors, a multiple of three
- * @property plans the number of plans for each kind of percept, of which the last one applies
+ * @property plans the number of plans for each kind of percept; only the last one applies
  */
 @Serializable
 internal data class Load(val processors: Int, val interval: Int, val sensors: Int, val plans: Int)
 
-/** One run: A run of [design] under [load], in the block with the number [block], from 1. */
+/** A run of [design] under [load], in the block with the number [block], from 1. */
 @Serializable
 internal data class DelegationRun(val block: Int, val load: Load, val design: Design) {
-    /** The name of the run, a Jason atom. No two runs of an experiment share it. */
+    /** The name of the run, a Jason atom. Each run of an experiment has another name. */
     val id: String get() = load.run { "b${block}_p${processors}_i${interval}_s${sensors}_n${plans}_" } + design.word
 }
 
-/** The levels of the factors, and the number of blocks. A block has each combination of levels once. */
+/** The levels of the factors, and the number of blocks. A block contains each combination of levels once. */
 @Serializable
 internal enum class DelegationPlan(
     val blocks: Int, val processors: List<Int>, val intervals: List<Int>, val sensors: List<Int>, val plans: List<Int>,
@@ -41,7 +41,7 @@ internal enum class DelegationPlan(
     val loads: List<Load>
         get() = processors.flatMap { p -> intervals.flatMap { i -> sensors.flatMap { s -> plans.map { n -> Load(p, i, s, n) } } } }
 
-    /** Returns the runs: one block after the other, the runs of each in random order. */
+    /** Returns the runs, one block after the other. Within a block, the order is random. */
     fun runs(seed: Long): List<DelegationRun> = (1..blocks).flatMap { block ->
         loads.flatMap { load -> Design.entries.map { DelegationRun(block, load, it) } }.shuffled(Random(31 * seed + block))
     }

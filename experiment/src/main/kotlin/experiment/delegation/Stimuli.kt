@@ -4,11 +4,11 @@ import javino.LineClock
 import kotlin.random.Random
 
 /**
- * The world of a run: from time to time something comes near one of the robot's distance sensors, and stays until the robot has stopped for
- * it. Any thread may call.
+ * The world of a run. From time to time an obstacle, the stimulus, comes near one of the robot's distance sensors, and stays until the
+ * robot has stopped for it. Any thread may call these functions.
  *
- * Each reading of each sensor differs from its last one. A distance is at least [CLEAR_CM], or less than [NEAR_CM] for a sensor with
- * something near it. No two near distances in succession are equal, so that a command that names its distance belongs to one of them.
+ * Each reading of each sensor differs from its last one. A distance is at least [CLEAR_CM], but less than [NEAR_CM] for a sensor with an
+ * obstacle. Successive obstacles have different distances, so a command, which names the distance, belongs to one of them.
  *
  * @param sensors the number of sensors, a multiple of three
  */
@@ -18,16 +18,16 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
     private var readings = 0
     private var near = next(clock.nanos())
 
-    /** Something near: it comes at [at] to the sensor with this number, [cm] away. */
+    /** An obstacle, which comes at the instant [at] before the sensor with this number, [cm] away. */
     private class Near(val at: Long, val sensor: Int, val cm: Int)
 
-    /** A stimulus that came at [at] and was reacted to after [ms]; null: not within [LIMIT_MS]. */
+    /** The reaction, after [ms], to a stimulus that came at the instant [at]; null: none within [LIMIT_MS]. */
     class Reaction(val at: Long, val ms: Double?)
 
     /** The stimuli that are over. */
     val reactions: List<Reaction> @Synchronized get() = ended.toList()
 
-    /** Returns true if all stimuli that came before [instant] are over. */
+    /** Returns true if all stimuli from before [instant] are over. */
     @Synchronized
     fun areOver(instant: Long) = near.at >= instant
 
@@ -39,7 +39,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
         near = next(now)
     }
 
-    /** Reads the sensors of these [kinds] anew: the first sensor of each kind, then the second of each, and so on. */
+    /** Reads the sensors of these [kinds] anew: first sensor 1 of each kind, then sensor 2 of each, and so on. */
     @Synchronized
     fun read(kinds: List<String>): List<String> {
         val now = clock.nanos()
@@ -51,7 +51,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
         }.flatten()
     }
 
-    /** Takes the command to stop for something that is [cm] away. Has no effect if nothing is there any more. */
+    /** Takes the command to stop for an obstacle that is [cm] away. Has no effect if the obstacle has gone. */
     @Synchronized
     fun stop(cm: Int) {
         val now = clock.nanos()

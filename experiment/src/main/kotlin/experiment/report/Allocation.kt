@@ -27,7 +27,7 @@ combinations; the interval of an effect that varies less than errors make likely
 condition have as many digits as the widest of their intervals allows.</p>
 """
 
-/** The tables of the shares in the variation of [response]. [columns] contains an analysis for each condition. */
+/** Makes the tables of the shares in the variation of [response]. [columns] has the analysis for each condition. */
 internal class Allocation(private val response: Response, private val columns: Map<Condition, Factorial>, seed: Long) {
     private val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, seed) }
     private val decimals = intervals.mapValues { (_, all) ->
@@ -41,7 +41,7 @@ internal class Allocation(private val response: Response, private val columns: M
         (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
             "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 
-    /** Returns the table [number] of the shares in the sample, beside the published ones. */
+    /** Returns the table of the shares in the sample, beside the published ones. It is called [number]. */
     fun shares(number: String): String {
         val rows = Source.entries.map { source -> row(words(source), Published.percent.getValue(source)) { it.share(source) } } +
             listOf(row("error", Published.ERROR_PERCENT) { it.errorShare }, variances())
@@ -89,7 +89,7 @@ internal class Allocation(private val response: Response, private val columns: M
     }
 }
 
-/** Returns the table [number] of the effects of the factors of [plan] on the time from perceiving the wall in [condition]. */
+/** Returns the table of the effects of [plan]'s factors on the time from perceiving the wall in [condition]. It is called [number]. */
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)

@@ -14,10 +14,10 @@ import experiment.leavesTime
 import experiment.limitNanos
 import kotlin.math.abs
 
-/** The finding of these runs on a published or promised claim. */
+/** What these runs say about a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
-/** A published result or a promise, and the result of these runs. [why] is the explanation of the claim. */
+/** A published result or a promise, and what these runs have [seen] of it. [why] explains the claim. */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
@@ -26,7 +26,7 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.sinceLimit() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 }
 
-/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; an empty text if no run has stopped. */
+/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; empty if no robot has stopped. */
 private fun List<Finished>.medians(): String {
     if (stopped() == 0) return ""
     val perceived = median(filter { it.result.outcome == Outcome.STOPPED }.map { (it.result.sincePerceivingMs ?: 0.0) / 1000 })
@@ -37,8 +37,7 @@ private fun List<Finished>.medians(): String {
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
 /**
- * Returns the published results and the results of those [runs] that have the published condition. Claims on levels outside of [plan] are
- * not tested.
+ * Compares the published results with those [runs] that have the published condition. Claims about levels that [plan] lacks are not tested.
  */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
@@ -126,7 +125,7 @@ private fun allocation(analysis: Factorial?): Claim? {
     )
 }
 
-/** Returns this project's own promise for [condition] with the results of [runs]; null without runs. */
+/** Compares this project's own promise for [condition] with [runs]; null if no run has this condition. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)

@@ -5,7 +5,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
 
-/** The figures of a report, which it numbers. Their files are in [directory]. */
+/** Numbers the figures of a report, and writes their files to [directory]. */
 internal class Figures(private val directory: Path) {
     private var count = 0
 
@@ -14,8 +14,8 @@ internal class Figures(private val directory: Path) {
     }
 
     /**
-     * Writes the figure [name] as SVG and PNG, and shows it in the page in the colours of the reader. Screen readers get the text
-     * [instead].
+     * Writes the figure [name] as SVG and PNG. Returns the HTML that shows it in light or dark colours, as the reader prefers. Screen
+     * readers get the text [instead].
      */
     fun write(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String {
         val light = svg(plot(Shades.LIGHT))

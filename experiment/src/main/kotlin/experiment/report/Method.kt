@@ -21,14 +21,11 @@ import java.time.temporal.ChronoUnit
  *
  * @property build the version and the commit of ARGO, in words
  * @property at the time at which the report was made
- * @property machine the machine of the runs, in words
+ * @property machine the machine on which the runs were made, in words
  */
 internal class Provenance(val build: String, val at: Instant, val machine: String)
 
-/**
- * Describes the method of the experiment with [settings], as items of a list in HTML. [made] is the program and the machine behind the
- * report.
- */
+/** Describes the method of the experiment with [settings], as items of a list in HTML. [made] has the program and the machine. */
 internal fun method(settings: Settings<Plan>, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     method((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
 
@@ -85,10 +82,7 @@ private fun common(settings: Settings<Plan>, failed: List<Finished>, made: Prove
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
 
-/**
- * Writes the warning that the machine was too late in some of [runs], with the names of these runs. If the machine was never too late, the
- * text is empty.
- */
+/** Warns of the [runs] in which the machine was too late, by their names. If there are none, the text is empty. */
 internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +

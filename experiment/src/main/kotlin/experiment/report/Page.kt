@@ -1,10 +1,10 @@
 package experiment.report
 
-/** Escapes [text] for HTML. A percent sign stays on the line of its number. */
+/** Escapes [text] for HTML. Keeps a percent sign on the line of its number. */
 internal fun escaped(text: String): String =
     text.replace(" %", "\u00a0%").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 
-/** Makes a page that loads no other file. The page is light or dark as the reader prefers, and fits a phone. */
+/** Makes a page without styles or scripts in other files. It is light or dark as the reader prefers, and fits a phone. */
 internal fun page(title: String, body: String): String = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -44,7 +44,7 @@ $body
 </html>
 """
 
-/** Makes a table with [heads], and a [caption] above it. All columns behind the first [words] contain numbers. */
+/** Makes a table with [heads], and a [caption] above it. The first columns, [words] of them, contain text, and all others numbers. */
 internal fun table(caption: String, heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
     fun cell(tag: String, scope: String, index: Int, text: String) =
         "<$tag$scope${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"

@@ -49,7 +49,7 @@ import java.math.BigDecimal
 /**
  * The colours of a figure.
  *
- * @property filters a colour for each view of a filter: everything, the front side, the front distance
+ * @property filters a colour for each filter's view, in this order: everything, the front side, the front distance
  * @property sources the colours of the published figures and of the conditions
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {
@@ -66,7 +66,7 @@ internal enum class Shades(val ink: String, val faint: String, val paper: String
 
 internal fun svg(plot: Plot): String = PlotSvgExport.buildSvgImageFromRawSpecs(plot.toSpec().toMutableMap())
 
-/** Returns [svg] as the bytes of a PNG, [scale] pixels to a unit. */
+/** Draws [svg] as a PNG, and returns its bytes. A unit of the SVG becomes [scale] pixels. */
 internal fun png(svg: String, scale: Float = 2f): ByteArray {
     val width = checkNotNull(Regex("""width="([0-9.]+)"""").find(svg)) { "the figure has no width" }.groupValues[1].toFloat()
     val out = ByteArrayOutputStream()
@@ -100,7 +100,7 @@ internal fun words(view: View) = when (view) {
 
 private val FILTERS = View.entries.map(::words)
 
-/** The ends of a run with their shapes in the figures. A hollow shape marks a run in which the machine was late. */
+/** The ends of a run, each with its shape in figures. A hollow shape: the machine was late in the run. */
 private val ENDS = listOf("stopped" to 16, "ran into the wall" to 4, "stopped, busy machine" to 1, "wall, busy machine" to 13)
 
 private fun end(run: Finished) = ENDS[(if (run.result.outcome == Outcome.COLLIDED) 1 else 0) + if (run.isLate) 2 else 0].first
@@ -116,12 +116,12 @@ private val TIMES_S = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5
 
 private val HUES_S = listOf(0.01, 0.1, 1.0, 10.0)
 
-/** Labels a tick at [seconds], as briefly as possible. */
+/** Returns the shortest label of a tick at [seconds]. */
 private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(BigDecimal(perSecond)).stripTrailingZeros().toPlainString()
 
 private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
-/** Plots the final places of the robots in all combinations, like the published figure, in a row for each condition. */
+/** Plots the robots' final distances in all combinations, as in the published figure. Each condition has a row. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
     val data = mapOf(
         "x" to
@@ -188,7 +188,7 @@ internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): 
         ).dressed(shades, 960, 380)
 }
 
-/** Plots the time from crossing the limit with more sensors and faster lines, in units of [scale]. */
+/** Plots the time from crossing the limit to the stop, with more sensors and faster lines, in units of [scale]. */
 internal fun scalingFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "baud" to runs.map { "${it.trial.baud}" },

@@ -77,7 +77,7 @@ ${busyMachine(runs + scaled)}${leftOut()}$counts"""
         "${stopped(runs)} of ${runs.size} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
     }
 
-    /** Explains which parts of the published plan a shorter plan leaves out. */
+    /** Explains which parts of the published plan are missing in a shorter plan. */
     private fun leftOut(): String {
         val limits = (Plan.FULL.limits - plan.limits.toSet()).map { "the limit of $it cm" }
         val intervals = (Plan.FULL.intervals - plan.intervals.toSet()).map { "the interval of $it ms" }
@@ -172,7 +172,7 @@ the wall.</p>
         return shares + figure + allocation.intervals(nextTable())
     }
 
-    /** Returns true if [response] equals the time from perceiving the wall in all runs of [condition]. That time already has a table. */
+    /** Returns true if [response] is equal to the published time in all runs of [condition], so that its table would be the same. */
     private fun isRepeated(response: Response, condition: Condition) = response == Response.LEAST_PERCEIVED_TIME &&
         runs.none { it.trial.condition == condition && it.result.outcome == Outcome.COLLIDED }
 

@@ -4,9 +4,9 @@ import experiment.Finished
 import experiment.maxLateMs
 
 /**
- * Writes all of [runs] as comma-separated values (RFC 4180), a line for each, with the names of the columns in the first line.
+ * Writes [runs] as comma-separated values (RFC 4180): the names of the columns in the first line, then a line for each run.
  *
- * @param seed the seed of the order of the runs
+ * @param seed the seed for the order of the runs
  * @param build the version and the commit of ARGO, in words
  */
 internal fun csv(runs: List<Finished>, seed: Long, build: String): String {

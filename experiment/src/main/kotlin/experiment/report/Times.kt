@@ -7,14 +7,14 @@ import experiment.analysis.Interval
  *
  * @property word the unit's name in the plural
  * @property perSecond the number of units in a second
- * @property fewDecimals the decimals of a time whose interval is not known
+ * @property fewDecimals the number of decimals for a time without a known interval
  */
 internal enum class TimeScale(val unit: String, val word: String, val perSecond: Int, val fewDecimals: Int, private val mostDecimals: Int) {
     SECONDS("s", "seconds", 1, 2, 3), MILLISECONDS("ms", "milliseconds", 1000, 0, 1);
 
     fun text(seconds: Double, decimals: Int = fewDecimals): String = rounded(seconds * perSecond, decimals)
 
-    /** Writes an interval of seconds in this unit, with the meaningful decimals. */
+    /** Writes an interval, given in seconds, in this unit and with its meaningful decimals. */
     fun text(seconds: Interval): String = range(of(seconds), decimals(seconds))
 
     fun decimals(seconds: Interval): Int = if (seconds.isKnown) minOf(of(seconds).decimals, mostDecimals) else fewDecimals
@@ -24,7 +24,7 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
 
     companion object {
-        /** Returns the scale for all of [seconds]. Infinite times are not known, and do not count. */
+        /** Returns the scale that suits all of [seconds]. Infinite times, which stand for unknown ones, do not count. */
         fun of(seconds: Collection<Double>): TimeScale {
             val known = seconds.filter(Double::isFinite)
             return if (known.isNotEmpty() && known.all { it < 1 && it > -1 }) MILLISECONDS else SECONDS

@@ -12,17 +12,17 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * A board with the field's library: version 1 of the Javino protocol, one message at a time.
+ * A board with the Javino library that is in use in the field: version 1 of the protocol, one message at a time.
  *
- * Between two rounds of its `loop()` the board reads all bytes that have arrived, with room for one message. The first byte of the next
- * frame empties the message. The sketch then calls a null pointer, and the board restarts. If five or more bytes of the next frame arrive,
- * the board only forgets the message.
+ * Between two rounds of its `loop()` the board reads all bytes that have arrived, but has room for only one message. If at most four bytes
+ * of the next frame have arrived too, they empty the message, the sketch calls a null pointer, and the board restarts. If more bytes of the
+ * next frame have arrived, the board only loses the message.
  *
- * While the board sends an answer, it does not read. Every byte of the answer takes ten bit times at the rate of the port. Percepts that do
- * not fit into one message are sent in several.
+ * While the board sends an answer, it does not read. Every byte of the answer takes ten bit times at the rate of the port. If the percepts
+ * do not fit into one message, the board sends several.
  *
- * @param clock the clock that times bytes; the line's own
- * @param loopMs the time of a round of `loop()`, in ms; 0: every byte is looked at when it arrives
+ * @param clock the clock for the times of bytes; it must be the clock of the line
+ * @param loopMs the time of a round of `loop()`, in ms; 0: the board reads every byte when it arrives
  * @param startMs the time of a restart, in ms
  */
 class FieldBoard(
@@ -32,15 +32,15 @@ class FieldBoard(
     private val startMs: Int = 100,
 ) {
     private var message: String? = null
-    private var bytesBehind = 0 // bytes read behind the message
+    private var bytesBehind = 0 // bytes read after the message
 
-    /** The number of restarts because frames followed each other too closely. */
+    /** How often the board has restarted because frames followed each other too closely. */
     @Volatile
     var restarts = 0
         private set
 
     /**
-     * Runs the board until its [line] is gone.
+     * Runs the board on [line]. Ends only by an exception.
      *
      * @throws javino.PortGoneException when the line is gone
      * @throws InterruptedException when this thread is interrupted
@@ -85,31 +85,31 @@ class FieldBoard(
         decoder.reset()
     }
 
-    /** Puts [percepts] into as few messages as possible, at least one. No percept is cut in two. */
+    /** Puts whole [percepts] into as few messages as possible, at least one. */
     private fun messages(percepts: List<String>) = percepts.fold(listOf("")) { messages, percept ->
         if (messages.last().length + percept.length >= Frame.MAX_PAYLOAD) messages + "$percept;"
         else messages.dropLast(1) + "${messages.last()}$percept;"
     }
 
     private companion object {
-        /** The board restarts if it reads at most this many bytes of the next frame behind a message. With more, it loses the message. */
+        /** The board restarts if it reads 1 to this many bytes of the next frame after a message. With more, it loses the message. */
         const val CLEARING = 4
         const val WRITE_LIMIT_MS = 30_000
     }
 }
 
 /**
- * The unread bytes of a board. The board reads bytes one by one, but bytes that arrived while it was busy all together.
+ * The unread bytes of a board. The board reads bytes one by one, but reads all bytes that arrived while it was busy as one burst.
  *
- * A busy computer may wake the board too late. Bytes that arrived after the board's time are not part of that burst. Otherwise commands
- * would be lost that a real board does not lose.
+ * A busy computer may wake the simulated board too late. Bytes that have arrived after the right time do not belong to the burst: otherwise
+ * this board would lose commands that a real board does not lose.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
     private val arrived = ByteArray(MAX_WAITING)
     private var waiting = ByteArray(0)
     private var burst = 0
 
-    /** Waits until [end] by the line's clock. Only bytes that have come by that time count as one burst, even if this waits longer. */
+    /** Waits until [end] by the line's clock. Only bytes that came by then are the burst, even if this function returns later. */
     fun lookAwayUntil(end: Long) {
         do {
             val left = end - clock.nanos()
@@ -120,7 +120,7 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
         } while (left > 0)
     }
 
-    /** The next bytes to read, after a round of the loop that takes [loopNanos]; empty if none came for a while. */
+    /** Returns the next bytes to read, after a round of the loop that takes [loopNanos]; empty if no bytes came for a while. */
     fun take(loopNanos: Long): ByteArray {
         if (loopNanos > 0 && burst == 0) lookAwayUntil(clock.nanos() + loopNanos) else if (waiting.isEmpty()) read(1, READ_LIMIT_MS)
         val count = if (loopNanos > 0) burst else maxOf(burst, minOf(1, waiting.size))

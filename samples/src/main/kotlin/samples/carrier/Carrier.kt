@@ -6,14 +6,14 @@ import kotlin.time.DurationUnit
 
 /**
  * A robot on a straight way with a can at its end. The robot can drive to the can, grip it and bring it back. The robot's three boards
- * share this object. Any thread may call.
+ * share this object. Any thread may call its functions.
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
     private var since = clock.nanos()
     private var wayBefore = 0.0
     private var hand = Hand.OPEN
-    private var can: Double? = CAN_CM // the place of the can, in cm from the start; null: in the hand
+    private var can: Double? = CAN_CM // the distance of the can from the start, in cm; null: it is in the hand
 
     @get:Synchronized
     val direction: Direction get() = moving
@@ -27,7 +27,7 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val grasp: Hand get() = hand
 
-    /** The distance to the can before the robot, in cm; [FAR_CM] if nothing is before it. */
+    /** The distance from the robot to the can in front of it, in cm; [FAR_CM] if the can is in the hand. */
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
@@ -38,7 +38,7 @@ internal class Carrier(private val clock: LineClock) {
         moving = direction
     }
 
-    /** Closes the robot's hand, around the can if that is near enough. */
+    /** Closes the robot's hand, which grips the can if the can is near enough. */
     @Synchronized
     fun grip() {
         if (hand == Hand.FULL) return
@@ -49,7 +49,7 @@ internal class Carrier(private val clock: LineClock) {
         }
     }
 
-    /** Opens the robot's hand. A can in the hand is put down in front of the robot. */
+    /** Opens the robot's hand, and puts a can that is in the hand down in front of the robot. */
     @Synchronized
     fun release() {
         if (hand == Hand.FULL) {
@@ -59,14 +59,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** A direction, with the [word] for it in percepts. */
+    /** A direction. Percepts have the [word] for it. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** A state of the robot's hand, with the [word] for it in percepts. */
+    /** A state of the robot's hand. Percepts have the [word] for it. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),
@@ -79,7 +79,7 @@ internal class Carrier(private val clock: LineClock) {
 
         const val REACH_CM = 12.0
 
-        /** The sensor's reading if nothing is before the robot, in cm. */
+        /** The reading of the distance sensor if nothing is in front of the robot, in cm. */
         const val FAR_CM = 200.0
 
         const val SPEED_CM_S = 20.0

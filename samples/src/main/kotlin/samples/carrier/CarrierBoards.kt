@@ -6,10 +6,10 @@ import javino.wire.BoardAction
 import samples.carrier.Carrier.Direction
 import kotlin.math.roundToInt
 
-/** The robot of this program, which its three boards share. */
+/** The robot, which the three boards of this program share. */
 private val carrier by lazy { Carrier(LineClock.system()) }
 
-/** A simulated board of the robot with a [sketch], which logs its actions. */
+/** A simulated board of the robot, which runs [sketch] and logs its actions. */
 abstract class CarrierBoard internal constructor(private val name: String, private val sketch: Sketch) : Sketch {
     final override fun name() = name
 
@@ -23,7 +23,7 @@ abstract class CarrierBoard internal constructor(private val name: String, priva
     }
 }
 
-/** A board of the robot with the actions [deeds], by their names. */
+/** The sketch of one of the robot's boards. [deeds] are its actions, each with its name. */
 internal abstract class Part(private vararg val deeds: Pair<String, () -> Unit>) : Sketch {
     final override fun actions() = deeds.map { BoardAction(it.first, 0) }
 

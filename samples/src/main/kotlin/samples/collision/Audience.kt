@@ -8,11 +8,11 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * The spectators of a run in a browser. The run waits for the first spectator, since it is too short for opening a browser.
+ * The spectators who watch a run in browsers. The run waits for the first one, since opening a browser takes longer than a run.
  *
  * @property port the port of the agent's view; 0: any free port
  * @property waitS the time for which the run waits, in s
- * @property keyboard a line from it ends the waiting; the end of its input does not
+ * @property keyboard the standard input: a line from it also starts the run; the end of the input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)
@@ -21,7 +21,8 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private var conclusion: String? = null
 
     /**
-     * Prints the address of [view], shows [picture] there and waits for the first browser. If [view] is null, prints that there is none.
+     * Prints the address of [view], shows [picture] there, and waits for the first browser. If [view] is null, only prints that there is
+     * none.
      */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {
@@ -29,7 +30,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
             return
         }
         view.show {
-            firstBrowser.countDown() // a view asks for its picture for its first spectator
+            firstBrowser.countDown() // the view asks for a picture only when it has a spectator
             picture().drawn(conclusion)
         }
         val waiting = if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else ""
@@ -42,7 +43,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
         while (System.nanoTime() < deadline) if (firstBrowser.await(LOOK_MS, TimeUnit.MILLISECONDS) || isEntered()) return
     }
 
-    /** Shows the end of the run, in [words], under the picture. */
+    /** Shows [words] about the end of the run below the picture. */
     fun conclude(words: String) {
         conclusion = words
     }

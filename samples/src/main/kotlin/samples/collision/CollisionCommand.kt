@@ -117,7 +117,7 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
-    /** Makes the robot drive again and again until Ctrl-C, by a program in [folder] that a person edits. */
+    /** Makes the robot drive again and again until Ctrl-C, with an agent whose program in [folder] a person edits. */
     private fun edited(levels: Levels, audience: Audience?, folder: Path): Int {
         val program = folder.resolve(PROGRAM)
         if (!folder.exists()) SampleProject("collision").copy(FILES, folder)
@@ -129,7 +129,7 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
-    /** Does [action] on Ctrl-C. A shutdown hook is of no use here, since jSerialComm's hook closes the ports while other hooks run. */
+    /** Does [action] on Ctrl-C. A shutdown hook would be too late, since jSerialComm's hook may have closed the ports by then. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {

@@ -16,7 +16,7 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** The variables of a run; the options of [CollisionCommand] explain them. For the simulated robot [port] is null. */
+/** The variables of a run; the options of [CollisionCommand] explain them. If the robot is simulated, [port] is null. */
 internal data class Levels(
     val filter: String,
     val limit: Int,
@@ -32,8 +32,8 @@ internal data class Levels(
  * A run of the collision experiment.
  *
  * @param audience the spectators in a browser; null: none
- * @param program the agent's program, which a person edits while the robot drives: the agent is reloaded when it is saved, and the
- *   simulated robot is put back after each drive; null: the program of the sample, for one drive
+ * @param program the agent's program, which a person edits while the robot drives: when the program is saved, the agent is reloaded, and
+ *   after each drive the simulated robot is put back; null: the program of the sample, for one drive
  */
 internal class CollisionRun(
     private val levels: Levels,
@@ -45,7 +45,7 @@ internal class CollisionRun(
     private val witness = Witness()
     private val mas = MasRun(project())
     private var boards: List<RobotBoard> = emptyList() // plugged-in boards
-    private val robot = Robot(clock, Random(levels.seed)) // unless a real one drives
+    private val robot = Robot(clock, Random(levels.seed)) // not used with a real robot
 
     private fun project() = SampleProject("collision").apply {
         believe(
@@ -72,7 +72,7 @@ internal class CollisionRun(
         return createLiteral("boards", createList(ports))
     }
 
-    /** Runs the experiment and returns its verdict. Always ends by itself. Call it once. */
+    /** Runs the experiment and returns its verdict. Without an edited program it always ends by itself. Call this once. */
     fun run(): Verdict {
         val scene = scene()
         try {
@@ -91,13 +91,13 @@ internal class CollisionRun(
         }
     }
 
-    /** A warning if a real robot may go on driving when the run is over; null: it stands. */
+    /** A warning if a real robot may still drive after the end of the run; null: no robot can. */
     val warning: String?
         get() = levels.port?.takeIf { witness.beliefs.mayDrive }?.let { "the robot on $it may still drive: its agent could not send stop" }
 
     /**
-     * Aborts the run. Stops a real robot unless it has been stopped, since a board's motors keep their last command. Takes [HALT_LIMIT_S] s
-     * at most. Any thread may call it.
+     * Aborts the run. Stops a real robot unless its agent has done so, since a board's motors keep their last command. Takes at most
+     * [HALT_LIMIT_S] s. Any thread may call this.
      */
     fun abandon() {
         progress.end()
@@ -127,30 +127,30 @@ internal class CollisionRun(
         }
     }
 
-    /** Puts the robot back, and makes the agent drive again as soon as it has seen this. */
+    /** Puts the robot back. When the agent has perceived the new distance, makes it drive again. */
     private fun driveAgain() {
         mas.awaitEnd(REST_MS)
         robot.putBack()
         while ((witness.beliefs.distance ?: 0.0) <= levels.limit) if (mas.awaitEnd(LOOK_MS) != null) return
         val agent = mas.observed(AGENT)
-        LEFT.forEach { agent.order(it) {} } // refused if no such belief is left
+        LEFT.forEach { agent.order(it) {} } // refused if nothing is left
         agent.order(Order.Begin("start")) { outcome -> outcome.refusal?.let { println("the robot is put back, but does not drive: $it") } }
     }
 
     private companion object {
         const val AGENT = "robot"
 
-        /** Beliefs that a drive may leave in the agent's mind. */
+        /** Orders that remove what a drive may have left in the agent's mind. */
         val LEFT = listOf(Order.Drop("moving"), Order.Forget("status(_)"))
         val OPEN = setOf("on", "timeout")
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
-        /** The longest time for the board's answer, in ms: three times that of an answer at 9600 baud while a command waits. */
+        /** The longest time for the board's answer, in ms: three times as long as an answer at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
 
-        /** How long the robot stands after a drive before it is put back, in ms. */
+        /** The time from the end of a drive until the robot is put back, in ms. */
         const val REST_MS = 2000L
         const val MAX_S = 60L
         const val HALT_LIMIT_S = 1L

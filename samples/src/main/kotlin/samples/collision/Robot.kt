@@ -10,7 +10,7 @@ import kotlin.random.Random
  * A 4WD robot in front of a wall. The robot drives with `front` and halts with `stop`. `ledLightOn`, `ledLightOff`, `ledTempOn` and
  * `ledTempOff` switch its two lamps.
  *
- * @param noticed receives each change of the robot's state when the board notices it, at the next message
+ * @param noticed called with each change of the robot's state when the board notices the change, at its next message
  */
 class Robot(
     private val clock: LineClock, private val sensors: Sensors, private val noticed: (Course, Course.State) -> Unit = { _, _ -> },
@@ -18,7 +18,7 @@ class Robot(
     private val way = AtomicReference(Course.standing(clock.nanos()))
     private var lastNoticed = Course.State.STANDING
 
-    /** A robot with twelve sensors whose noise is [random]. */
+    /** Makes a robot with twelve sensors, whose noise comes from [random]. */
     constructor(
         clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
     ) : this(clock, Sensors(random), noticed)
@@ -26,12 +26,12 @@ class Robot(
     /** The robot's course by the commands so far. Any thread may ask. */
     val course: Course get() = way.get()
 
-    /** The lamps that are on, of `light` and `temp`. Any thread may ask. */
+    /** Those of the lamps `light` and `temp` that are on. Any thread may ask. */
     @Volatile
     var lamps: Set<String> = emptySet()
         private set
 
-    /** Puts the robot back to where it began. Any thread may call this. */
+    /** Puts the robot back to its start, where it does not drive. Any thread may call this. */
     fun putBack() = way.set(Course.standing(clock.nanos()))
 
     override fun actions() = ACTIONS.map { BoardAction(it, 0) }
@@ -56,7 +56,7 @@ class Robot(
         return command in ACTIONS
     }
 
-    @Synchronized // the sensors may be on another board, with another thread
+    @Synchronized // a second board for the sensors has its own thread
     private fun notice(now: Long) {
         val state = course.stateAt(now)
         if (state == lastNoticed) return

@@ -7,9 +7,9 @@ import javino.sim.Sketch
 import samples.board.FieldBoard
 import kotlin.random.Random
 
-/** `sim:robot`, the robot and the wall of the collision experiment. When its port is opened again, the robot stands where it stood. */
+/** `sim:robot`, the robot and the wall of the collision experiment. Opening its port again does not move the robot. */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    /** The board that a Jason project finds as a service, which logs the robot's actions. */
+    /** Makes the board that a Jason project finds as a service. This board logs what the robot does. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
     override fun name() = name
@@ -20,10 +20,10 @@ class RobotBoard internal constructor(private val name: String, private val sket
         /** The board's name after `sim:`. */
         const val NAME = "robot"
 
-        /** The name of the board with the sensors, if they have their own board. */
+        /** The name of the board for the sensors, if the robot has two boards. */
         const val SENSORS = "robot-sensors"
 
-        /** Returns the boards of [robot]: one, or two, the first with wheels and lamps and the second with the sensors. */
+        /** Returns so many [boards] of [robot]: a single one, or one with wheels and lamps and one with the sensors. */
         fun of(robot: Robot, boards: Int): List<RobotBoard> =
             if (boards == 1) listOf(RobotBoard(NAME, robot))
             else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))

@@ -2,24 +2,24 @@ package samples.collision
 
 import javino.LineClock
 
-/** A running experiment in the eyes of its spectators. */
+/** A running experiment as spectators see it. */
 internal interface Scene {
-    /** Returns the run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
+    /** Returns a few facts about the run, such as `distance 87.3 cm`, `driving` and `4.2 s`. */
     fun look(): List<String>
 
-    /** Returns the run as a picture. Any thread may call this. */
+    /** Returns a picture of the run. Any thread may call this. */
     fun picture(): TrackPicture
 
     /** Returns the result; null while the run lasts. */
     fun verdict(): Verdict?
 
-    /** Returns the verdict on a run that has lasted [seconds] s, which is too long. */
+    /** Returns the verdict on a run that is ended after [seconds] s, since it takes too long. */
     fun overdue(seconds: Long): Verdict
 }
 
 /**
- * The simulated [robot], whose place is known whatever its agent believes. If the robot stands, the run has ended only if the agent
- * believes so: an agent that still waits for its board's answer will go on.
+ * The scene of the simulated [robot], whose true place is known. When the robot has stopped, the run ends only if the agent believes that
+ * it has stopped the robot: an agent that still waits for its board's answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -60,7 +60,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** A robot on a [port]. Only the agent's beliefs tell where the robot is. */
+/** The scene of a real robot on [port]. Only the agent's beliefs tell where the robot is. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

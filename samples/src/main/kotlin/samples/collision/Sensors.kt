@@ -4,16 +4,17 @@ import kotlin.math.ceil
 import kotlin.random.Random
 
 /**
- * The twelve sensors of the robot: distance (cm), light (0 to 1023, like an analogue input) and temperature (°C) on its front, back, right
- * and left. More sensors are further sets of twelve at the same places. The sides of the second set are called `f2`, `b2` and so on.
+ * The twelve sensors of the robot: distance (cm), light (0 to 1023, like an analogue input) and temperature (°C) at its front, back, right
+ * and left. A robot with more sensors has several sets of twelve at the same places. The sides of the second set are called `f2`, `b2` and
+ * so on.
  *
  * Every reading has noise, and no sensor gives the same reading twice in a row. So all twelve percepts change from frame to frame. Percepts
- * that all change are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is the
- * next whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
+ * that all change are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is
+ * rounded up to a whole cm, and up to [DISTANCE_NOISE] cm longer. The room is [ROOM_CM] long.
  *
  * For one thread.
  *
- * @param sets the number of the robot's sets of twelve, at least 1
+ * @param sets the number of the robot's sets of twelve sensors, at least 1
  */
 class Sensors(private val random: Random, private val sets: Int = 1) {
     private val last = HashMap<Pair<String, String>, Int>()
@@ -22,10 +23,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         require(sets >= 1) { "a robot has at least one set of sensors, not $sets" }
     }
 
-    /**
-     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123)` to
-     * `temp(l,25)`.
-     */
+    /** Returns the percepts of one frame, from `dist(f,123)` to `temp(l,25)`, of a robot whose front is [distance] cm from the wall. */
     fun frame(distance: Double): List<String> = buildList {
         for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
             val place = if (set == 1) "$side" else "$side$set"
@@ -45,7 +43,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         /** The number of sensors in a set: three kinds on four sides. */
         const val PER_SET = 12
 
-        /** The largest excess of a distance reading over the true distance, rounded up, in cm. */
+        /** A distance reading exceeds the true distance, rounded up, by at most this, in cm. */
         const val DISTANCE_NOISE = 1
 
         /** The length of the room in cm, from the wall in front to the wall behind, less the robot's own length. */
@@ -53,7 +51,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
 
         private const val AISLE_CM = 80.0
         private const val SIDES = "fbrl"
-        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some near the limits in the agent's plans
+        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some are near limits in the agent's plans
         private val TEMPERATURE = mapOf('f' to 25, 'b' to 26, 'r' to 25, 'l' to 24)
 
         private val KINDS = listOf(

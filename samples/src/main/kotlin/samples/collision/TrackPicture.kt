@@ -7,12 +7,12 @@ import kotlin.math.roundToInt
  * The robot on its track, to scale.
  *
  * @property distance the distance of the robot's front from the wall in cm; null: not known
- * @property limit the distance at which the robot is to stop, in cm from the wall
- * @property range the length for which the picture has room, in cm, above 0
+ * @property limit the distance from the wall at which the robot should stop, in cm
+ * @property range the length of the track in the picture, in cm, above 0
  * @property doing the robot's state, such as `driving`
  */
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
-    /** Draws the track for the live view with [caption] below it; null: the caption is the distance and the robot's state. */
+    /** Draws the track for the live view, with [caption] below it; null: the distance and the robot's state are the caption. */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
     /** Draws the track in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
@@ -29,7 +29,7 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         return first + ((CELLS - 1 - first) * (1 - share(distance))).roundToInt()
     }
 
-    /** Draws the SVG. Without a `viewBox` it is as wide as the page. Percentages are of that width. Lengths and letters keep their size. */
+    /** Draws the SVG. It has no `viewBox`: so it is as wide as the page, percentages are of that width, and letters keep their size. */
     private fun svg(stop: Double = place(limit.toDouble())) = """
         <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
           <style>

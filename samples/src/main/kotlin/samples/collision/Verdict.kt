@@ -2,9 +2,9 @@ package samples.collision
 
 import java.util.Locale
 
-/** The end of a run of the collision experiment. [exitStatus] is the program's exit status: 0 if the robot was stopped. */
+/** The result of a run of the collision experiment. [exitStatus] is the program's exit status: 0 if the robot was stopped. */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
-    /** The robot stands [distance] cm from the wall, [nanosAfter] ns after it crossed the limit; null: it did not cross it. */
+    /** The robot was stopped [distance] cm from the wall, [nanosAfter] ns after crossing the limit; null: before the limit. */
     class Stopped(distance: Double, limit: Int, nanosAfter: Long?) : Verdict(
         "stopped ${cm(distance)} cm from the wall, " +
             if (nanosAfter == null) "before the $limit cm limit" else "${nanosAfter / 1_000_000} ms after the $limit cm limit",
@@ -22,7 +22,7 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
         0,
     )
 
-    /** There is no measurement. */
+    /** Nothing was measured. */
     class Failed(why: String) : Verdict(why, 1)
 }
 

@@ -24,7 +24,7 @@ internal class Fleet private constructor(
 ) : AutoCloseable {
     private val computers = ports.keys.associateWithTo(LinkedHashMap(), ::Computer)
 
-    /** Ends the process of [computer] as a power failure does. */
+    /** Ends the process of [computer] as abruptly as a power failure. */
     fun kill(computer: String) = computers.getValue(computer).kill()
 
     /** Starts the process of [computer] again. */
@@ -39,7 +39,7 @@ internal class Fleet private constructor(
         project.parent.toFile().deleteRecursively()
     }
 
-    /** The computer called [name] in the `.mas2j`, behind `at`: a process in the directory of the project. */
+    /** The computer that the `.mas2j` calls [name], after `at`: a process in the directory of the project. */
     private inner class Computer(name: String) {
         val process: Process = ProcessBuilder(
             java, "-XX:TieredStopAtLevel=1", "-cp", classPath, "argo.fleet.MainKt", "${project.fileName}", "--at", name,
@@ -49,7 +49,7 @@ internal class Fleet private constructor(
             try {
                 process.inputStream.bufferedReader().forEachLine(printed)
             } catch (_: IOException) {
-                // a destroyed process loses its unread output
+                // the unread output of a destroyed process is lost
             }
         }
 
@@ -58,7 +58,7 @@ internal class Fleet private constructor(
             reader.join()
         }
 
-        /** Asks the process to end; kills it if it does not end in time. */
+        /** Asks the process to end, and kills it if it does not end in time. */
         fun close() {
             process.destroy()
             if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
@@ -72,10 +72,10 @@ internal class Fleet private constructor(
         private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 
         /**
-         * Starts the computers from a copy of the project that gives them free ports.
+         * Starts the computers. They run a copy of the project, which has free ports for them.
          *
-         * @param java the path of Java's program; that of this program by default
-         * @param classPath the places of classes; those of this program by default
+         * @param java the path of the program `java`; by default, the one that runs this program
+         * @param classPath the class path; by default, that of this program
          * @param printed called with each line that the computers print, on several threads
          */
         fun start(

@@ -10,13 +10,13 @@ import kotlin.random.Random
 
 /**
  * The greenhouse of the sketch `Greenhouse.ino`: air, soil, sun, a pump and a vent. The sensors are noisy. The day begins at five o'clock.
- * Used by one thread at a time.
+ * For one thread at a time.
  *
  * @param random draws the sensors' noise
- * @param minutes the time that has passed since five o'clock; never less than before
+ * @param minutes returns the time since five o'clock; it must not go back
  */
 open class Greenhouse(private val random: Random, private val minutes: () -> Double) : Sketch {
-    private var minute = 0 // the time up to which the greenhouse has been computed
+    private var minute = 0 // the time for which the present state has been computed
     private var isPumping = false
     private var isOpen = false
 

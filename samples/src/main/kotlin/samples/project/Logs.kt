@@ -36,7 +36,7 @@ object Logs {
     }
 }
 
-/** A file with the log of Jason, ARGO and the agents, and all other printed text, from its creation until [close]. */
+/** A file that gets the log of Jason, ARGO and the agents, and all printed text, from its creation until [close]. */
 internal class LogFile private constructor(val path: Path) : AutoCloseable {
     private val out = System.out
     private val err = System.err
@@ -48,7 +48,7 @@ internal class LogFile private constructor(val path: Path) : AutoCloseable {
         stream.close()
     }
 
-    /** Closes and deletes the file, since nobody needs the log of a successful run. */
+    /** Closes and deletes the file. Call this after a successful run, whose log nobody needs. */
     fun delete() {
         close()
         Files.deleteIfExists(path)

@@ -12,8 +12,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Runs a Jason project inside this program, without a window and a network service. The program goes on when an agent ends the system with
- * `.stopMAS`. Only one project runs at a time, since Jason keeps it in a static field.
+ * Runs a Jason project inside this program, without a window or a network service. The program goes on after an agent has ended the project
+ * by `.stopMAS`. Only one project can run at a time, since Jason keeps it in a static field.
  */
 internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     private val ended = CompletableFuture<Int>()
@@ -21,13 +21,13 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
-        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, as in Jason
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents' includes
     }
 
     /**
      * Creates and starts the agents. Puts each of [witnesses] in front of the architectures of the agent with its name.
      *
-     * @param beforeStart called when the agents exist but do not run yet
+     * @param beforeStart called after the agents have been created and before they run
      * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
      */
     fun begin(witnesses: Map<String, AgArch> = emptyMap(), beforeStart: () -> Unit = {}) {
@@ -41,8 +41,8 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /**
-     * Runs the project until its agents end it, with its log on the standard output. Returns the agents' exit status. If the agents have
-     * not ended the project within [MAX_S] s, returns 1 and reports that on the standard error.
+     * Runs the project until its agents end it, with its log on the standard output. Returns the exit status that the agents give. If the
+     * agents have not ended the project within [MAX_S] s, reports that on the standard error, and returns 1.
      */
     fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
@@ -59,19 +59,16 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         }
     }
 
-    /** Returns the live view of [agent], once it is created; null: the agent has none. */
+    /** Returns the live view of [agent]; null: the agent has none. Call this after the agent has been created. */
     fun viewOf(agent: String): AgentView? = archOf(agent).observers.filterIsInstance<AgentView>().firstOrNull()
 
-    /** Returns [agent], which has ARGO's architecture, for its observers, once it is created. */
+    /** Returns [agent] as its observers see it. Call this after the agent has been created with ARGO's architecture. */
     fun observed(agent: String): ObservedAgent = archOf(agent).observed
 
     private fun archOf(agent: String): Arch =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().first()
 
-    /**
-     * Waits until an agent has ended the system, at most [millis] ms. Returns the agent's exit status; null if no agent has ended the
-     * system.
-     */
+    /** Waits until an agent has ended the project, at most [millis] ms. Returns the agent's exit status; null: no agent has ended it. */
     fun awaitEnd(millis: Long): Int? = try {
         ended.get(millis, TimeUnit.MILLISECONDS)
     } catch (_: TimeoutException) {
@@ -80,7 +77,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
 
     fun end() = stopAgs(0)
 
-    /** Notes the end of the system by `.stopMAS`. */
+    /** Notes that an agent has ended the project by `.stopMAS`. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
         ended.complete(exitValue)
     }

@@ -7,10 +7,10 @@ import samples.collision.Robot
 import samples.collision.log
 import kotlin.random.Random
 
-/** The robot of this program, which its three boards share. */
+/** The robot, which the three boards of this program share. */
 private val robot by lazy { Robot(LineClock.system(), Random.Default, ::log) }
 
-/** A simulated board of a [robot], with the sensors whose percepts have [functor], and the [commands] that belong to them. */
+/** A simulated board of [robot]. It has the sensors whose percepts have [functor], and carries out only [commands]. */
 open class KindBoard internal constructor(
     private val name: String, private val robot: Robot, private val functor: String, private vararg val commands: String,
 ) : Sketch {
@@ -18,13 +18,13 @@ open class KindBoard internal constructor(
 
     final override fun actions() = commands.map { BoardAction(it, 0) }
 
-    final override fun percepts() = synchronized(robot) { robot.percepts() } // its sensors are for one thread, and each board has its own
+    final override fun percepts() = synchronized(robot) { robot.percepts() } // only one thread at a time may read the sensors
         .filter { it.startsWith("$functor(") }
 
     final override fun act(command: String) = command in commands && robot.act(command)
 }
 
-/** `sim:distances`, the board of the sample `sensing-agents` with the distance sensors and the wheels. */
+/** `sim:distances`, the board with the distance sensors and the wheels in the sample `sensing-agents`. */
 class DistanceBoard : KindBoard("distances", robot, "dist", "front", "stop")
 
 /** `sim:lights`, the board with the light sensors and their lamp. */

@@ -5,16 +5,16 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * A turtle as turtlesim has it: it drives in a square window, stays at its edges, and stops a second after its last command. Safe for use by
- * several threads.
+ * A turtle like those of turtlesim: it drives in a square window, cannot leave it, and stops a second after its last command. Safe for use
+ * by several threads.
  *
- * @param x the turtle's place, in m from the left
- * @param y the turtle's place, in m from below
- * @param heading the turtle's direction, in rad, counter-clockwise from the right
- * @param nanos a clock, in ns
+ * @param x the turtle's distance from the left edge, in m
+ * @param y the turtle's distance from the lower edge, in m
+ * @param heading the turtle's direction, in rad: 0 is to the right, and positive angles are counter-clockwise
+ * @param nanos returns the present time, in ns
  */
 internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: () -> Long) {
-    /** The turtle's place and direction, and its speeds of driving, in m/s, and of turning, in rad/s. */
+    /** The turtle's place and direction, with its speed of driving, in m/s, and of turning, in rad/s. */
     data class Pose(val x: Double, val y: Double, val heading: Double, val speed: Double, val turn: Double)
 
     private var place = Pose(x, y, heading, 0.0, 0.0)

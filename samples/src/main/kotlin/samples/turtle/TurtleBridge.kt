@@ -16,13 +16,13 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge of the rosbridge protocol with turtlesim behind it, on the loopback interface. It has the turtles' topics `/NAME/pose` and
- * `/NAME/cmd_vel`, and the service `/spawn`, and knows no other part of the protocol.
+ * Simulates a rosbridge server with turtlesim, on the loopback interface. It has the turtles' topics `/NAME/pose` and `/NAME/cmd_vel`, and
+ * the service `/spawn`. It knows only the parts of the protocol for these.
  */
 internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : AutoCloseable {
     private data class Subscription(val client: WebSocket, val topic: String)
 
-    private val throttleMs = ConcurrentHashMap<Subscription, Long>() // least time between messages
+    private val throttleMs = ConcurrentHashMap<Subscription, Long>() // the least time between two messages
     private val sentNanos = ConcurrentHashMap<Subscription, Long>()
     private val turtles = ConcurrentHashMap<String, Turtle>()
     private val started = CompletableFuture<Unit>()
@@ -53,7 +53,7 @@ internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : 
         timer.scheduleAtFixedRate(::publish, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** The bridge's port in an agent's notation. */
+    /** The bridge's port, as an agent names it. */
     val port: String get() = "ros://127.0.0.1:${server.port}"
 
     /** The first turtle, `turtle1`. */

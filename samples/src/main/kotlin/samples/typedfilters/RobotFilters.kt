@@ -2,7 +2,7 @@ package samples.typedfilters
 
 import argo.filters.*
 
-/** `dist(Side, Cm)`: the distance from one side of the robot to the next thing. */
+/** `dist(Side, Cm)`: the distance from one side of the robot to the nearest obstacle. */
 object Dist : PerceptType("dist") {
     /** `f`, `b`, `r` or `l`. */
     val side by atom()

@@ -18,7 +18,7 @@ import java.util.logging.Logger
 internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
     val end: CompletableFuture<Void> = end.toCompletableFuture()
 
-    /** If the message does not arrive, tells the log, since nobody waits for it. */
+    /** Logs a warning if the message does not arrive. Call this if no action waits for the message. */
     fun tellFailure() {
         end.whenComplete { _, failed ->
             if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
@@ -27,13 +27,13 @@ internal class Delivery(val id: String?, private val receiver: String, private v
 }
 
 /**
- * Collects the messages that an internal action sends to other computers while the agent's thread carries it out. The action waits for the
- * ends of its messages. If no action waits for a message, the log tells its failure.
+ * Collects the messages that an internal action sends to other computers while the agent's thread carries out the action. The action then
+ * waits for the outcomes of these messages. If no action waits for a message, its failure is logged.
  */
 internal object Deliveries {
     private val collected = ThreadLocal<MutableList<Delivery>>()
 
-    /** Runs [action] and returns its result, with the messages that it has sent. If [action] throws, [failed] gets these messages. */
+    /** Runs [action] and returns its result, with the messages that it sent. If [action] throws, [failed] gets these messages. */
     fun <T> during(failed: (List<Delivery>) -> Unit, action: () -> T): Pair<T, List<Delivery>> {
         val sent = ArrayList<Delivery>()
         val outer = collected.get()
@@ -48,19 +48,19 @@ internal object Deliveries {
         }
     }
 
-    /** Notes [delivery] for the action that the calling thread carries out. */
+    /** Notes [delivery] for the action that the calling thread carries out; if there is none, only logs the failure of [delivery]. */
     fun add(delivery: Delivery) = collected.get()?.add(delivery) ?: delivery.tellFailure()
 }
 
 /**
- * Makes an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
- * intention is suspended; an atomic one holds all others of its agent. The cluster ends each wait: the longest is that for a computer whose
- * cable is out, which is missed after three rounds of signs of life (`failures` of the stack). Belongs to one agent.
+ * Makes an internal action wait for its messages to other computers. The action fails if a message is not known to have arrived. Only the
+ * action's intention waits, but an atomic one blocks the agent's others. The cluster ends each wait. It is longest if a computer's cable is
+ * out: that computer is missed after three rounds of signs of life (see `failures` in JGroupsStack.kt). Belongs to one agent.
  *
  * @param questions the agent's questions to other computers, including those of the action
  */
 internal class DeliveryWait(private val questions: Questions) {
-    /** Whether the last call has suspended its intention. */
+    /** Whether the last call of [carryOut] has suspended its intention, other than for a question. */
     var isWaiting = false
         private set
 
@@ -82,23 +82,23 @@ internal class DeliveryWait(private val questions: Questions) {
     private fun await(sent: List<Delivery>, end: (JasonException?) -> Unit) {
         CompletableFuture.allOf(*sent.map { it.end }.toTypedArray()).whenComplete { _, _ ->
             val lost = sent.filter { it.end.isCompletedExceptionally }
-            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails because of the first one
+            lost.drop(1).forEach(Delivery::tellFailure) // the failure of the first one goes to the plan
             end(lost.firstOrNull()?.end?.handle { _, failed -> errorOf(failed) }?.join())
         }
     }
 
-    /** Jason suspends an intention before it sends a question. If sending fails, the intention must not wait for an answer. */
+    /** Undoes the suspension of the intention if sending failed: Jason suspends it before it sends a question, and no answer will come. */
     private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
         it.tellFailure()
         ts.c.removePendingIntention(it.id ?: return@forEach)
     }
 }
 
-/** Returns the exception for a message that has not arrived for [reason], with the `error(…)` that plans match. */
+/** Returns the exception for a message that did not arrive; [reason] tells why. The exception has the `error(…)` that plans match. */
 internal fun errorOf(reason: Throwable): JasonException =
     reason.reason() as? JasonException ?: refusalOf(reason).let { AwaitedOutside.exceptionOf(it.error, it.message.orEmpty()) }
 
-/** Returns [reason], why a message has not arrived, as a refusal, which other computers understand. */
+/** Converts [reason], which tells why a message did not arrive, into a refusal, which other computers understand. */
 internal fun refusalOf(reason: Throwable): Refused = when (val cause = reason.reason()) {
     is Refused -> cause
     is Overloaded -> Refused("overloaded", cause.message.orEmpty())

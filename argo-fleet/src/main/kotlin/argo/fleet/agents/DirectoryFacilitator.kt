@@ -8,15 +8,15 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Plays the part of Jason's agent `df` for the whole fleet: agents register services here, and search for them. Each computer knows the
- * services of all computers, and tells its own subscribers.
+ * Replaces Jason's agent `df` for the whole fleet: agents register services here, and search for services. Each computer knows the services
+ * of all computers, and informs the subscribers among its own agents.
  *
  * Safe for use by several threads.
  *
  * @param deliver puts a message into the mailbox of an agent of this computer; does nothing if that agent has ended
  */
 internal class DirectoryFacilitator(private val fleet: Fleet, private val deliver: (Message) -> Unit) {
-    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // here the agent of an [Offer] is the subscriber
+    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // in these offers, the agent is the subscriber
 
     fun register(agent: String, service: String) = fleet.offer(Offer(agent, service))
 
@@ -50,7 +50,7 @@ internal class DirectoryFacilitator(private val fleet: Fleet, private val delive
     }
 
     private companion object {
-        /** The sender of messages about services, as in Jason. */
+        /** The sender of the messages to subscribers, as in Jason. */
         const val NAME = "df"
     }
 }

@@ -9,11 +9,11 @@ import jason.stdlib.broadcast
 import jason.stdlib.kill_agent
 import jason.stdlib.send
 
-/** Jason's internal actions that send messages. In a fleet these wait until the message has arrived on the other computer, or fail. */
+/** Jason's internal actions that send messages. In a fleet they wait until the other computer has the message, or fail. */
 internal object FleetActions {
     /**
-     * Makes the program of [agent], with its [questions], use these actions. Jason looks an action up for each agent, by the name of its
-     * class.
+     * Makes the program of [agent], which has these [questions], use the actions of this file. Jason keeps each agent's actions by the
+     * names of Jason's own classes.
      */
     fun install(agent: Agent, questions: Questions) {
         agent.setIA(send::class.java.name, FleetSend(questions))

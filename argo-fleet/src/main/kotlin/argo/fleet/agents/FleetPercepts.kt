@@ -16,9 +16,9 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     private var environment: Collection<Literal> = emptyList()
 
     /**
-     * Returns all percepts of the agent, from its environment and about the fleet; null: nothing has changed.
+     * Returns all percepts of the agent, both from its environment and about the fleet; null: nothing has changed.
      *
-     * @param news the percepts of the environment now; null: no news
+     * @param news the environment's present percepts; null: they are as before
      */
     fun perceive(news: Collection<Literal>?, now: Directory): MutableCollection<Literal>? {
         if (news == null && now === seen) return null
@@ -41,13 +41,13 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     companion object {
         const val OPTION = "argo_fleet"
 
-        /** A name that a program can write without quotes; names of hosts have hyphens, too. */
+        /** A name that needs no quotes in a program. Names of hosts may have hyphens, and then need quotes. */
         private val ATOM = Regex("[a-z][A-Za-z0-9_]*")
 
-        /** The value of the option, for people. */
+        /** The allowed values of the option, in words for the user. */
         const val USAGE = "computers and agents, or one of them, as \"computers,agents\""
 
-        /** Returns the percepts for the option's value [option]; null: it asks for none. For a wrong value, tells [refuse] why. */
+        /** Returns the percepts for the value [option]; null: no percepts. If the value is wrong, calls [refuse] with the reason. */
         fun of(option: String?, refuse: (String) -> Unit): FleetPercepts? {
             val words = option?.split(',')?.map { it.trim().trim('"') } ?: return null
             val kinds = words.map { word -> Kind.entries.find { it.name.equals(word, ignoreCase = true) } }

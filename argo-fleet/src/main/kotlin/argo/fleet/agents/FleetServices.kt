@@ -16,7 +16,8 @@ import jason.runtime.SourcePath
 import java.util.logging.Logger
 
 /**
- * The services of Jason's runtime in a fleet. Names, registered services and the end concern all computers; new agents run on this one.
+ * The services of Jason's runtime in a fleet. Names, registered services and the system's end concern all computers. New agents run on this
+ * one.
  *
  * Jason 3.2.1 has `getAgentsNames`, which Jason 3.3.0 calls `getAgentsName`.
  */
@@ -28,7 +29,7 @@ internal class FleetServices(
 ) : LocalRuntimeServices(mas) {
     private class Making(val name: String, val architecture: () -> LocalAgArch)
 
-    /** The agent of the project that the calling thread creates. */
+    /** The agent of the project that the calling thread is creating; null: none. */
     private val making = ThreadLocal<Making>()
 
     /** Lets [create] create an agent of the project under its own [name]. [architecture] makes the agent's infrastructure. */
@@ -41,7 +42,7 @@ internal class FleetServices(
         }
     }
 
-    /** Jason creates agents only while the system runs, but the project's agents must exist before. */
+    /** Jason creates agents only if this is true, but the project's agents must exist before the system runs. */
     override fun isRunning() = making.get() != null || super.isRunning()
 
     override fun newAgInstance(): LocalAgArch = making.get()?.architecture?.invoke() ?: FleetAgArch(fleet)
@@ -50,7 +51,7 @@ internal class FleetServices(
         if (base == making.get()?.name) base
         else (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { fleet.directory.find(it) == Place.Unknown }
 
-    /** If an agent has the architectures of its [father], Jason also names the father's infrastructure among them. */
+    /** Leaves out the infrastructure of [father], which Jason lists among the architectures that a new agent takes over from its father. */
     override fun createAgent(
         name: String?, source: String?, agentClass: String?, architectures: List<String>?, beliefBase: ClassParameters?,
         settings: Settings?, father: Agent?,

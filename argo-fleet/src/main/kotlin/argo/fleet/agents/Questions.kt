@@ -7,12 +7,12 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * The questions of one agent to agents of other computers that have no answer yet. Jason suspends the intention of a question under the
- * question's id, until all answers have come or its time is over. Safe for use by several threads.
+ * The unanswered questions of one agent to agents of other computers. Jason suspends the intention that asks, under the question's id,
+ * until all answers have come or the question's time is over. Safe for use by several threads.
  */
 internal class Questions {
     private class Question {
-        val asked = ConcurrentHashMap<String, String>() // the agents that have not answered, each with its computer
+        val asked = ConcurrentHashMap<String, String>() // the asked agents that have not answered, each with its computer
         val end = CompletableFuture<JasonException?>()
     }
 
@@ -23,7 +23,7 @@ internal class Questions {
         open.computeIfAbsent(id) { Question() }.asked[agent] = computer
     }
 
-    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. Without such a question, returns null. */
+    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. If [id] is unknown, returns null. */
     fun end(id: String?): CompletableFuture<JasonException?>? = id?.let(open::get)?.end
 
     /** Notes that [agent] has answered the question [id]. */
@@ -31,10 +31,10 @@ internal class Questions {
         open[id]?.asked?.remove(agent)
     }
 
-    /** Fails the question [id], whose action may not have called [end] yet. Returns false if nobody waits for its end. */
+    /** Fails the question [id], even before its action has called [end]. Returns false if the question is over or does not exist. */
     fun fail(id: String?, reason: Throwable): Boolean = id?.let(open::get)?.end?.complete(errorOf(reason)) ?: false
 
-    /** Fails the questions to agents that have not answered and, by [now], have left the computer where they were asked. */
+    /** Fails questions to agents that have not answered and, according to [now], have left the computer where they were asked. */
     fun failLost(now: Directory) = open.forEach { (id, question) ->
         question.asked.entries.find { (agent, computer) -> !now.runs(agent, computer) }?.let { (agent, computer) ->
             val reason = if (now.isMet(computer)) "it has ended there" else "its computer $computer is off"
@@ -42,6 +42,6 @@ internal class Questions {
         }
     }
 
-    /** Ends the questions for which no intention waits any more: all answers are there, the time is over, or the agent has dropped them. */
+    /** Ends all questions except [waiting], for whose answers intentions still wait. The others are answered, too old or dropped. */
     fun endAllBut(waiting: Set<String>) = open.keys.filter { it !in waiting }.forEach { open.remove(it)?.end?.complete(null) }
 }

@@ -9,8 +9,8 @@ import jason.asSyntax.Literal
 import java.util.logging.Logger
 
 /**
- * Gives the agent of [ts], which has read its program and has not begun, the mind [program]. It replaces the beliefs and goals of the
- * agent's program.
+ * Gives the agent of [ts] the mind [program], which replaces the beliefs and goals of the agent's own program. Call this after the agent
+ * has read its own program and before it begins.
  *
  * @throws IllegalArgumentException if [program] cannot be read; the agent is then unchanged
  */

@@ -4,15 +4,15 @@ import java.util.concurrent.CompletionStage
 
 /**
  * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, or its sender is told that it failed.
- * Messages of one sender arrive in the order of [send]. Computers find each other, lose each other and come back by themselves.
+ * Messages of one sender arrive in the order of its calls of [send]. Computers find each other by themselves, also after a loss.
  */
 interface Cluster : AutoCloseable {
     /** This computer's name. */
     val here: String
 
     /**
-     * Joins the fleet. First the listener gets a view with at least this computer. One thread of the cluster calls the listener and
-     * completes the results of [send], in order.
+     * Joins the fleet. The listener first gets a view that contains at least this computer. One thread of the cluster makes all calls of
+     * the listener, and completes the results of [send], in order.
      *
      * @throws IllegalStateException at a second call
      */
@@ -23,8 +23,8 @@ interface Cluster : AutoCloseable {
      * whatever the network does.
      *
      * @return completed when the listener there has returned. Fails with [Unreachable] if the computer is not in touch, or is lost before
-     * it acknowledges the message, which may have arrived. Fails with [Overloaded] if too much waits for the computer, and with [Refused]
-     * if its listener threw an exception.
+     * it acknowledges the message; in the latter case the message may have arrived. Fails with [Overloaded] if [message] is too long or too
+     * much waits for the computer, and with [Refused] if its listener threw an exception.
      */
     fun send(to: String, message: ByteArray): CompletionStage<Void>
 
@@ -43,25 +43,25 @@ data class Computer(val name: String, val session: String)
  * The computers in touch.
  *
  * @property computers the computers in touch, by their names
- * @property hasMajority whether they are more than half of [ClusterSettings.hosts]; false if no hosts are named
+ * @property hasMajority whether more than half of [ClusterSettings.hosts] are in touch; false if no hosts are named
  */
 class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
 
 /** A [Cluster] calls these functions. */
 interface ClusterListener {
     /**
-     * A computer of the last view has sent [message]. The next message waits until this returns. If this throws, the sender gets a
-     * [Refused], with the error `refused` unless the exception was a [Refused].
+     * A computer of the last view has sent [message]. The next message waits until this function returns. If this function throws a
+     * [Refused], the sender gets it. For any other exception, the sender gets a [Refused] with the error `refused`.
      */
     fun message(from: String, message: ByteArray)
 
     /**
-     * Other computers are in touch now. Messages of a computer are handed over only after a view with it, and before the next view without
-     * it.
+     * The computers in touch have changed to [view]. Messages of a computer are handed over only while the last view contains that
+     * computer.
      */
     fun changed(view: ClusterView)
 
-    /** This computer cannot stay in the fleet, and its cluster is closed. [reason] tells the user why. */
+    /** This computer cannot stay in the fleet, and its cluster closes. [reason] tells the user why. */
     fun refused(reason: String)
 }
 
@@ -72,7 +72,7 @@ class Unreachable(message: String) : Exception(message)
 class Overloaded(message: String) : Exception(message)
 
 /**
- * A message arrived, and its receiver did not want it.
+ * A message arrived, but its receiver refused it.
  *
  * @property error the reason in one word, for plans
  */

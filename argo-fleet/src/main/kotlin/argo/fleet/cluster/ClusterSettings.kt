@@ -9,11 +9,11 @@ import java.nio.file.Path
  *
  * @property fleet the fleet's name; computers of other fleets are refused
  * @property here this computer's name
- * @property hosts the address at which each computer of the fleet listens, by the computer's name; this computer is among them. Addresses
- * may be unresolved. Empty: every computer that is found on the local network belongs to the fleet
- * @property bind where this computer listens, and the interface on which it looks for others
- * @property certificates the folder with the certificates of `tls://`; null: connections are not encrypted, and whoever reaches a port may
- * take part
+ * @property hosts the address at which each computer of the fleet listens, by the computer's name, including this computer. Addresses may
+ * be unresolved. If empty, every computer that is found on the local network belongs to the fleet
+ * @property bind the address at which this computer listens; if [hosts] is empty, it looks for other computers on the same interface
+ * @property certificates the folder with the certificates, as for `tls://`; null: connections are not encrypted, and everybody who reaches
+ * the port may take part
  * @property insecure whether the user allows unencrypted connections beyond this computer's loopback interface
  * @throws IllegalArgumentException if the settings contradict each other; the message is for the user
  */

@@ -18,8 +18,8 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * The certificates of a fleet in the folder of `tls://`. `computer.crt` and `computer.key` belong to this computer, `fleet/scout1.crt` to
- * the computer `scout1`. No others are trusted. All computers may share one certificate.
+ * The certificates of a fleet, in the same folder as those for `tls://`. `computer.crt` and `computer.key` belong to this computer, and
+ * `fleet/scout1.crt` to the computer `scout1`. Only the certificates in `fleet/` are trusted. All computers may share one certificate.
  *
  * @throws IOException if a file is missing or cannot be read; the message is for a person
  */
@@ -37,7 +37,7 @@ internal class FleetCertificates(folder: Path) {
         others = found.associate { it.nameWithoutExtension to TlsFolder.certificates(it)[0] }
     }
 
-    /** TLS that shows this computer's certificate and trusts those of the fleet, in both directions. */
+    /** Returns TLS for both ends of a connection: it shows this computer's certificate, and trusts only those of the fleet. */
     fun context(): SSLContext {
         val keys = KeyStore.getInstance("PKCS12").apply { load(null, null) }
         keys.setKeyEntry("computer", own.key(), CharArray(0), own.chain())

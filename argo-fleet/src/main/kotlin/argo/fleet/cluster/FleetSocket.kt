@@ -15,10 +15,10 @@ import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLException
 import javax.net.ssl.SSLSocket
 
-/** The other end is a computer that this one must not connect with; [message] tells the user why. */
+/** This computer must not connect with the computer at the other end; [message] tells the user why. */
 private class Refusal(override val message: String) : IOException(message)
 
-/** Keeps the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
+/** Keeps this computer's greeting and certificates, with which each connection begins, and checks those of the other end. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {
@@ -40,8 +40,8 @@ internal class Entrance(
 }
 
 /**
- * A TCP connection between two computers, encrypted if they have certificates. JGroups sees a plain socket, which is connected once both
- * ends have shown that they belong to the fleet.
+ * A TCP connection between two computers, encrypted if they have certificates. For JGroups it is a plain socket, which counts as connected
+ * only when both ends have shown that they belong to the fleet.
  */
 internal class FleetSocket(private val entrance: Entrance, private val refusals: Refusals) : Socket() {
     private var secured: SSLSocket? = null
@@ -62,7 +62,7 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         }
     }
 
-    /** Does the part of the accepting end. Closes the connection if the other end does not belong to the fleet. */
+    /** Exchanges greetings as the accepting end. If the other end does not belong to the fleet, closes the connection and throws. */
     fun answer() = begin("a stranger at ${inetAddress.hostAddress}") {
         secure(isClient = false)
         try {

@@ -14,7 +14,7 @@ import java.util.concurrent.ThreadFactory
 import java.util.concurrent.ThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
-/** The sockets of JGroups' TCP. */
+/** Makes the sockets of JGroups' TCP. */
 internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFactory() {
     private val refusals = Refusals()
 
@@ -24,8 +24,8 @@ internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFacto
 
 /**
  * Accepts connections, and hands those of the fleet to JGroups. A few threads exchange greetings. A connection is closed if its greeting
- * takes too long, or if it comes while all greeting threads are busy. So strangers cost no more memory than these threads, whatever they
- * send.
+ * takes too long, or if it comes while all greeting threads are busy. So connections of strangers need no more memory than these threads,
+ * whatever the strangers send.
  */
 internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
     private val greeted = LinkedBlockingQueue<Socket>()
@@ -85,7 +85,7 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
         const val PORTERS = 8
         const val PATIENCE_MILLIS = 3000L
 
-        /** The pause after a failure, since the system may be short of files. */
+        /** The pause after a failed accept, since the system may have no free file descriptors. */
         const val PAUSE_MILLIS = 100L
 
         fun porters(most: Int) = ThreadPoolExecutor(0, most, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))

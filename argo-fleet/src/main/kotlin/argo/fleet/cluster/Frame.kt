@@ -3,7 +3,7 @@ package argo.fleet.cluster
 import java.nio.BufferUnderflowException
 import java.nio.ByteBuffer
 
-/** The bytes that one computer sends to another at a time: a piece of a session's messages, or an acknowledgement of pieces. Format 1. */
+/** The bytes that one computer sends to another at a time: a piece of a message, or an acknowledgement of pieces. Format 1. */
 internal sealed interface Frame {
     fun bytes(): ByteArray
 
@@ -11,8 +11,8 @@ internal sealed interface Frame {
      * A message, or a part of a long one.
      *
      * @property number the piece's number in the session, across all messages
-     * @property oldest the oldest piece that still waits for an acknowledgement; all earlier pieces were acknowledged, or reported as
-     * failed
+     * @property oldest the number of the oldest piece that still waits for an acknowledgement; all earlier pieces were acknowledged, or
+     * reported as failed
      * @property isLast whether the message ends with this piece
      */
     class Piece(val number: Long, val oldest: Long, val isLast: Boolean, val content: ByteArray) : Frame {
@@ -21,10 +21,10 @@ internal sealed interface Frame {
     }
 
     /**
-     * @property taken the number before which all pieces are done: the listener has taken them, or they have failed and were left out
+     * @property taken all pieces before this number are done: the listener has taken them, or they have failed and were left out
      * @property arrived the number of the next awaited piece; all pieces before it have arrived
-     * @property isRepeatWanted whether a later piece came first
-     * @property refusals the reasons why messages among those pieces were refused, as [Refused.line], by the messages' last pieces
+     * @property isRepeatWanted whether a later piece has arrived first, so that the awaited piece must be repeated
+     * @property refusals for each refused message among the done pieces: the number of its last piece, with the reason as [Refused.line]
      */
     class Acknowledgement(
         val taken: Long,

@@ -7,10 +7,10 @@ import java.util.HexFormat
 
 /**
  * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So JGroups
- * reads no byte from strangers, or from computers of another fleet, version or list of hosts.
+ * reads no byte from strangers, nor from computers that have another fleet, version or list of hosts.
  *
- * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if
- * the addresses differed, two computers could have one name
+ * @property hosts a digest of the fleet's computers and their addresses. With different names, two parts of the fleet could both count a
+ * majority. With different addresses, two computers could have one name
  */
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
@@ -26,7 +26,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
         private const val WORD = "argo-fleet"
         private const val REFUSED = "refused "
 
-        /** Must be raised with each change of frames or of anything in JGroups' messages. */
+        /** Raise this number with each change of frames, or of anything in JGroups' messages. */
         private const val FORMAT = 2
         private const val MAX_LINE = 400
         private const val PRINTABLE = 40
@@ -40,7 +40,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
 
         fun refusal(reason: String) = REFUSED + reason
 
-        /** @throws IOException if the line refuses the connection, or is in another format; the message tells the user */
+        /** @throws IOException if the line refuses the connection, or is in another format; the message is for the user */
         fun parse(line: String): Greeting {
             if (line.startsWith(REFUSED)) throw IOException("refuses the connection: ${printable(line.removePrefix(REFUSED), MAX_LINE)}")
             val (format, fleet, name, hosts) = FORM.matchEntire(line)?.destructured
@@ -51,7 +51,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
             return Greeting(fleet, name, hosts)
         }
 
-        /** Reads a line, and no byte behind the line. */
+        /** Reads one line, and no byte after its end. */
         fun read(from: InputStream): String {
             val line = StringBuilder()
             while (line.length < MAX_LINE) {

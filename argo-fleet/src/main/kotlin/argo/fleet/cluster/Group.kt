@@ -1,7 +1,7 @@
 package argo.fleet.cluster
 
 /**
- * The computers in touch, its members, and frames among them. Frames may be lost or come twice. Another run of a program is another member.
+ * The computers in touch, called members, and frames among them. A frame may be lost or come twice. A restarted computer is a new member.
  */
 internal interface Group : AutoCloseable {
     val here: Computer
@@ -10,8 +10,8 @@ internal interface Group : AutoCloseable {
     fun join(listener: GroupListener)
 
     /**
-     * Sends [frame] if the network takes it; never waits. If there is only one caller at a time, frames overtake each other only where a
-     * connection ends.
+     * Sends [frame] if the network takes it; never waits. With one caller at a time, the order of frames changes only when a connection is
+     * lost.
      */
     fun transmit(to: Computer, frame: ByteArray)
 }
@@ -19,7 +19,7 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now; of several members with one name the oldest comes first. Views come in their order. */
+    /** [members] are in touch now. Of several members with one name, the oldest comes first. Calls come in the order of the views. */
     fun viewed(members: List<Computer>)
 }
 

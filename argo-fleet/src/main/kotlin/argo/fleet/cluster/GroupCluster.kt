@@ -4,13 +4,13 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 
 /**
- * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. The lock is held only
- * for moments by callers of [send], by the group's threads and by the loop, and never during calls of the listener.
+ * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. Callers of [send], the
+ * group's threads and the loop hold the lock only for moments, and never during calls of the listener.
  *
  * @param hosts the computers of the fleet; empty: not known
  */
 internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
-    /** The session with another member, which is kept as long as that member may come back. */
+    /** The session with another member. It is kept while the member is out of touch, since it may come back. */
     private inner class Peer(member: Computer) {
         val outgoing = Outgoing(member.name, nextPiece)
         val incoming = Incoming()
@@ -22,7 +22,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private val peers = LinkedHashMap<Computer, Peer>()
     private var members = listOf<Computer>()
 
-    /** Higher than the number of any piece sent before, so no receiver takes pieces of a new session for repeated pieces. */
+    /** The first number of a new session's pieces: above all earlier numbers, so that no receiver takes new pieces for repeats. */
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null
@@ -59,7 +59,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return done
     }
 
-    /** Returns the member called [name]. Of two members with one name, returns the older until it is gone: the newer may be a mistake. */
+    /** Returns the member called [name]. If there are two, returns the older, since the newer may have the name by mistake. */
     private fun called(name: String) = members.firstOrNull { it.name == name }
 
     private fun transmitDue(member: Computer) {
@@ -67,7 +67,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         watch()
     }
 
-    /** Has [tick] run soon if a message may be lost, or if this computer may have to leave. Otherwise the loop's thread sleeps. */
+    /** Schedules [tick] if a message may be lost, or if this computer may have to leave. Otherwise the loop's thread may sleep. */
     private fun watch() {
         if (isWatching || rivalSince == null && members.all { peers[it]?.outgoing?.isEmpty ?: true }) return
         isWatching = true
@@ -75,7 +75,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     }
 
     override fun arrived(from: Computer, frame: ByteArray): Unit = synchronized(lock) {
-        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // the sender will repeat the frame
+        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // not a member here yet: the sender will repeat the frame
         try {
             when (val news = Frame.of(frame)) {
                 is Frame.Piece -> take(from, peer, news)
@@ -150,13 +150,13 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return outgoing.giveUp(reason)
     }
 
-    /** A member that comes back finds its session, unless many others have gone since. */
+    /** Forgets the sessions of members that left, except the last [MAX_GONE]: a member that comes back goes on with its session. */
     private fun forgetOld() {
         val gone = peers.keys.filter { it !in members }
         peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
     }
 
-    /** Returns true if [member] has this computer's name and is older: it is this program's last run, or another computer. */
+    /** Returns true if [member] has this computer's name and is older. Then it is the previous run of this program, or another computer. */
     private fun isOlderRival(member: Computer) =
         member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
 
@@ -205,7 +205,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         /** While the listener is busy, a sender gets an acknowledgement each time this number of pieces has been taken. */
         const val ANSWER_EVERY = 32L
 
-        /** The time within which the end of this program's last run is certainly noticed. */
+        /** Within this time, the group certainly notices the end of this program's previous run. */
         const val RIVAL_NANOS = 5_000_000_000L
         const val MAX_GONE = 256
     }

@@ -11,13 +11,13 @@ internal class Incoming {
     private var messages = 0
     private var parts = ByteArrayOutputStream(0)
 
-    /** The reasons of refused messages, until their sender is known to have them. */
+    /** The reason for each refused message, by the number of its last piece. Reasons are kept until the sender is known to have them. */
     private val refusals = sortedMapOf<Long, String>()
 
     /** A complete message, and the number of its last piece. */
     class Message(val number: Long, val content: ByteArray)
 
-    /** The outcome of a piece: a complete message, or an answer to send at once, or neither. */
+    /** The outcome of a piece: a complete message, an acknowledgement to send at once, or neither. */
     class Outcome(val message: Message?, val answer: Frame.Acknowledgement?)
 
     /** @throws IllegalArgumentException if the message is too long */
@@ -48,14 +48,14 @@ internal class Incoming {
         return Message(piece.number, content)
     }
 
-    /** Notes that the listener has taken the message whose last piece is [number], or refused it because of [refusal]. */
+    /** Notes that the listener has taken the message whose last piece is [number], or has refused it for the reason [refusal]. */
     fun taken(number: Long, refusal: String?) {
         messages--
         taken = number + 1
         refusal?.let { refusals[number] = it.take(MAX_REASON) }
     }
 
-    /** Parts of an unfinished message count as taken, so the sender sends the next parts. */
+    /** Acknowledges the pieces so far. Pieces of an unfinished message count as taken, so that the sender sends the next ones. */
     fun acknowledgement(isRepeatWanted: Boolean = false) =
         Frame.Acknowledgement(if (messages == 0) arrived else taken, arrived, isRepeatWanted, refusals.toMap())
 

@@ -23,15 +23,15 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     discovery(settings),
     merging(settings),
     failures(settings.hosts.size),
-    // a suspected computer is asked before it is given up, since a connection may break while both ends live
+    // a suspected computer is asked for a sign before it is given up, since a connection may break while both ends run
     Verification().setTimeout(VERIFYING),
-    // these three carry the views to all computers, but not this project's messages: see GroupCluster
+    // these three send the views to all computers; ARGO's own messages bypass them, see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),
     STABLE(),
     GMS().apply {
         setJoinTimeout(JOINING)
-        // this computer installs a view before others acknowledge it, so that a change never waits for a computer that has gone
+        // the longest wait for acknowledgements of a view is short, so that a change of views does not wait for a computer that has gone
         setViewAckCollectionTimeout(VIEW_ACKNOWLEDGEMENTS)
         printLocalAddress(false)
         printPhysicalAddress(false)
@@ -45,17 +45,17 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
     setSocketFactory(sockets)
     setThreadFactory<TCP>(LazyThreadFactory("fleet", true, true))
     useVirtualThreads<TCP>(false)
-    // TCP sends at once, and waits neither for more bytes nor for an acknowledgement
+    // TCP sends bytes at once, without waiting for more bytes or for an acknowledgement
     tcpNodelay(true)
-    // for each host that is off, one thread waits this long
+    // the longest time for which the thread of a host that is off waits for a connection
     setSockConnTimeout(CONNECTING)
-    // a process that ends closes its connections, and so is suspected at once
+    // a process that ends closes its connections, and is suspected because of that at once
     enableSuspectEvents(true)
     setMaxLength(MAX_BYTES)
-    // two buffers for each connection; messages are small
+    // each connection has two of these buffers, which are small, as messages are
     setBufferedInputStreamSize(BUFFER)
     setBufferedOutputStreamSize(BUFFER)
-    // twice the bytes under way to one computer, or more: so no write waits for a computer that does not read (Outgoing)
+    // at least twice the bytes that may be under way to a computer (see Outgoing), so that no write waits for a computer that does not read
     setSendBufSize(SEND_BUFFER)
     // a queue and a thread for each computer: a computer that is off delays no other, and senders never wait
     setBundler<TCP>(PerDestinationBundler().apply {
@@ -63,9 +63,9 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
         setMaxSize(BUNDLE)
         setCapacity(QUEUE)
     })
-    // the thread that reads a connection hands messages over
+    // the thread that reads from a connection also hands its messages over
     setMessageProcessingPolicy<TCP>("direct")
-    // no port for probes, which would answer everybody
+    // no port for JGroups' diagnostics: it would answer everybody
     setDiagnosticsHandler<TCP>(DiagnosticsHandler(null, sockets, threadFactory).setEnabled(false))
     enableStats(false)
     logAcceptError(false)
@@ -75,7 +75,7 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
 private fun discovery(settings: ClusterSettings): Discovery {
     val found = if (settings.hosts.isEmpty()) MPING().apply { setBindAddr(settings.bind.address) }
     else TCPPING().apply {
-        // a host whose name cannot be resolved now finds this computer later
+        // this leaves out a host whose name cannot be resolved now: it finds this computer later
         setInitialHosts<TCPPING>(settings.hosts.values.filter { !it.isUnresolved })
         setPortRange<TCPPING>(0)
     }
@@ -91,7 +91,7 @@ private fun merging(settings: ClusterSettings): MERGE3 {
     }
 }
 
-/** With more than twenty hosts, signs of life go less often, so that many computers on one machine leave it idle. */
+/** Returns the detection of failures. With more than twenty hosts, signs of life are rarer, so that many computers fit on one machine. */
 private fun failures(hosts: Int): FD_ALL3 {
     val round = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
     return SignsOfLife().setInterval(round).setTimeout(2 * round)

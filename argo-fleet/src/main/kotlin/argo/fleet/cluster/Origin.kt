@@ -4,16 +4,16 @@ import java.io.FilterInputStream
 import java.io.InputStream
 
 /**
- * Tells a thread the computer at the other end of the connection that it reads. That computer has proved its name at the beginning of the
- * connection. JGroups has a thread for each connection, which reads messages and hands them over, but does not name the connection.
+ * Tells a thread the name of the computer whose connection it reads; that computer has proved its name at the beginning of the connection.
+ * JGroups reads each connection on its own thread, which hands the messages over without the connection.
  */
 internal object Origin {
     private val names = ThreadLocal<String>()
 
-    /** The computer of the connection that the calling thread has read last; null: it has read none. */
+    /** The computer whose connection the calling thread has read last; null: the thread has read none. */
     val current: String? get() = names.get()
 
-    /** Returns [stream], whose bytes come from the computer [name]. */
+    /** Wraps [stream], whose bytes come from the computer [name], so that each read sets [current]. */
     fun stream(name: String, stream: InputStream): InputStream = object : FilterInputStream(stream) {
         override fun read(): Int {
             names.set(name)

@@ -3,10 +3,10 @@ package argo.fleet.cluster
 import java.util.concurrent.CompletableFuture
 
 /**
- * The messages to one other computer, from [Cluster.send] to their ends. Pieces go out in order, and at most a window of pieces is under
- * way. Lost pieces are sent again. Callers hold a lock, and pass the time in nanoseconds.
+ * The messages to one other computer, from [Cluster.send] until their outcome is known. Pieces go out in order, and at most [WINDOW_BYTES]
+ * and [WINDOW_PIECES] are under way. Lost pieces are sent again. Callers hold a lock, and pass the time in nanoseconds.
  *
- * @param first the number of the first piece; the receiver leaves out all earlier pieces
+ * @param first the number of the first piece
  */
 internal class Outgoing(private val to: String, first: Long) {
     private class Waiting(val frame: (oldest: Long) -> Frame.Piece, val size: Int, val number: Long, val done: CompletableFuture<Void>?) {
@@ -16,7 +16,7 @@ internal class Outgoing(private val to: String, first: Long) {
     /** The piece that was last sent again to learn which pieces the receiver lacks. */
     private class Asked(val number: Long, val at: Long)
 
-    /** A [Cluster.send] whose end is known. */
+    /** The outcome of a [Cluster.send]: [done] completes with [failure]; null: it succeeds. */
     class End(val done: CompletableFuture<Void>, val failure: Exception?)
 
     /** The pieces without an acknowledgement, the oldest first. The first [sent] of them are under way. */
@@ -33,7 +33,7 @@ internal class Outgoing(private val to: String, first: Long) {
     var next = first
         private set
 
-    /** Whether all messages have an end. */
+    /** Whether the outcome of all messages is known. */
     val isEmpty: Boolean get() = waiting.isEmpty()
 
     private val oldest get() = waiting.firstOrNull()?.number ?: next
@@ -66,7 +66,7 @@ internal class Outgoing(private val to: String, first: Long) {
         }
     }
 
-    /** Returns the oldest piece if it has been under way for long. The answer to the repeat shows which pieces the receiver lacks. */
+    /** Returns the oldest piece, to be sent again, if it has been under way for long. The receiver's answer shows which pieces it lacks. */
     fun overdue(now: Long): Frame.Piece? {
         val first = waiting.firstOrNull()?.takeIf { sent > 0 && now - it.sentAt >= patience } ?: return null
         asked = Asked(first.number, now)
@@ -75,7 +75,7 @@ internal class Outgoing(private val to: String, first: Long) {
         return first.frame(oldest)
     }
 
-    /** Takes an acknowledgement. After an acknowledgement, [due] may return further pieces. */
+    /** Takes an acknowledgement, and returns the outcomes that are known by it. After that, [due] may return further pieces. */
     fun acknowledged(news: Frame.Acknowledgement, now: Long): List<End> {
         val ends = mutableListOf<End>()
         while (sent > 0 && waiting.first().number < news.taken) {
@@ -88,7 +88,7 @@ internal class Outgoing(private val to: String, first: Long) {
         return ends
     }
 
-    /** Whether the awaited piece was lost: the receiver has got a later piece, or an older one that was sent again after it. */
+    /** Whether the awaited piece was lost: the receiver has got a later piece, or an older piece that was sent again afterwards. */
     private fun isLost(news: Frame.Acknowledgement, now: Long): Boolean {
         val place = news.arrived - oldest
         val awaited = if (place in 0..<sent) waiting[place.toInt()] else return false
@@ -130,24 +130,24 @@ internal class Outgoing(private val to: String, first: Long) {
         private const val MAX_BYTES_WAITING = 16L shl 20
         private const val MAX_PIECES_WAITING = 100_000
 
-        /** A long message goes in pieces, so that signs of life get through between them on a slow line. */
+        /** The size of a long message's pieces, in bytes. On a slow line, signs of life go out between two pieces. */
         private const val PIECE = 16 shl 10
 
-        /** The bytes of the headers of this format, JGroups and TCP around each piece. */
+        /** The bytes of the headers that this format, JGroups and TCP add to each piece. */
         private const val OVERHEAD = 120
 
         /**
-         * The pieces under way fit into the system's buffers for a connection, at least twice 100 KB. So no write waits for a computer that
-         * does not read, which would delay signs of life to others.
+         * The most bytes under way. They fit into the system's buffers for a connection, which hold at least twice 100 KB. So a write never
+         * waits for a computer that does not read, which would delay signs of life to other computers.
          */
         private const val WINDOW_BYTES = 64 shl 10
         private const val WINDOW_PIECES = 512
 
-        /** TCP loses pieces only where a connection ends, and that end is noticed before this time is over. */
+        /** The first time after which a piece is sent again. TCP loses pieces only when a connection ends, which is noticed earlier. */
         private const val FIRST_PATIENCE_NANOS = 200_000_000L
         private const val MAX_PATIENCE_NANOS = 1_000_000_000L
 
-        /** Each piece behind a lost one asks for a repeat. Within this time, only the first such request counts. */
+        /** Each piece that arrives after a lost one causes a request for a repeat. Within this time, only the first one counts. */
         private const val REPEAT_NANOS = 100_000_000L
     }
 }

@@ -12,10 +12,10 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Suspects members without a sign of life for two rounds, within three rounds. In a small group, each member sends signs to each. In a
- * larger one the oldest members exchange signs with all, and the others with the oldest only: that suffices, since the oldest member that
- * lives tells all who has gone. A member that misses one of the oldest asks everybody for a sign, for the case that all of the oldest have
- * gone: so the oldest of those that answer is found within three further rounds.
+ * Suspects a member that gives no sign of life for two rounds; this takes at most three rounds. In a small group, each member sends signs
+ * to each. In a larger group, the [OLDEST] oldest members exchange signs with all members, and the others only with them. That suffices,
+ * since the oldest living member tells all others who has gone. All of the oldest may have gone: so a member that misses one of them asks
+ * everybody for a sign. The oldest member that answers is found within three further rounds.
  */
 internal class SignsOfLife : FD_ALL3() {
     @Volatile
@@ -42,7 +42,7 @@ internal class SignsOfLife : FD_ALL3() {
 
     private fun sendSigns() = if (isForAll()) send(null) else oldest.forEach(::send)
 
-    /** Whether this member exchanges signs with all, as one of the oldest, or because it misses a member. */
+    /** Whether this member exchanges signs with all: it is one of the oldest, or misses a member. */
     private fun isForAll() = local_addr in oldest || has_suspected_mbrs
 
     /** Sends a sign to a member; null: to all. */
@@ -60,7 +60,7 @@ internal class SignsOfLife : FD_ALL3() {
         super.up(batch)
     }
 
-    /** Answers a member that asks everybody, if it does not get this member's signs anyway. */
+    /** Answers a member that asks everybody for a sign, if this member does not send signs to all anyway. */
     private fun answer(message: Message) {
         val isQuestion = message.dest == null && HAS_HEADER.test(message) && message.src in all && message.src !in oldest
         if (isQuestion && !isForAll()) send(message.src)
@@ -68,7 +68,7 @@ internal class SignsOfLife : FD_ALL3() {
 
     override fun <T> needsToBeSuspected(member: Address, value: T): Boolean {
         if (isForAll() || member in oldest) return super.needsToBeSuspected(member, value)
-        update(member, false, false) // no sign is due
+        update(member, false, false) // this member gets no signs from that one
         return false
     }
 

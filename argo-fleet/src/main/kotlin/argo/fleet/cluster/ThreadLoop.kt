@@ -19,7 +19,7 @@ internal class ThreadLoop(name: String) : Loop {
         LOG.log(System.Logger.Level.DEBUG, "the cluster is closed", e)
     }
 
-    /** Logs exceptions. Otherwise the executor would keep them for a caller that never asks. */
+    /** Runs [task] and logs its exception, which the executor would keep for a caller that never asks. */
     private fun guarded(task: () -> Unit) = try {
         task()
     } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {

@@ -6,8 +6,8 @@ import org.jgroups.conf.ClassConfigurator
 import org.jgroups.protocols.VERIFY_SUSPECT
 
 /**
- * Asks suspected members for a sign before they are given up. Its thread ends when nobody is suspected, while that of JGroups' newer
- * protocol wakes all the time. JGroups' TCP hands lists over that cannot be changed, which JGroups' own class does not expect.
+ * Asks suspected members for a sign before they are given up. Its thread ends when nobody is suspected, while the thread of JGroups' newer
+ * protocol wakes all the time. Copies each list of suspects, since JGroups' own class changes it, and TCP's is immutable.
  */
 internal class Verification : VERIFY_SUSPECT() {
     init {

@@ -3,7 +3,7 @@ package argo.fleet.node
 /**
  * The agents and services of a computer. Immutable.
  *
- * @property unable agents that outlive their computer, and that this computer cannot start
+ * @property unable the agents that outlive their computers but cannot be started by this computer
  */
 internal data class Roster(
     val agents: Set<String> = emptySet(), val offers: Set<Offer> = emptySet(), val unable: Set<String> = emptySet(),
@@ -21,7 +21,7 @@ internal sealed interface Place {
     /** On another computer, which is in touch. */
     data class There(val computer: String) : Place
 
-    /** On one of [computers]. Each of these computers is off, has not told its agents yet, or does not run this agent. */
+    /** Expected on one of [computers], each of which is off, has not told its agents yet, or does not run this agent. */
     data class Off(val computers: List<String>) : Place
 
     data object Unknown : Place
@@ -30,9 +30,9 @@ internal sealed interface Place {
 /**
  * The agents and services of each computer of a fleet, as far as this computer knows. Immutable.
  *
- * @property inTouch the computers in touch; this computer is among them
+ * @property inTouch the computers in touch, including this one
  * @property planned the agents of the project, each with the computers that it may run on
- * @param rosters the last known rosters, also of computers that are no longer in touch
+ * @param rosters the last known roster of each computer, also if the computer is no longer in touch
  */
 internal data class Directory(
     val here: String,
@@ -45,21 +45,21 @@ internal data class Directory(
         inTouch.sortedDescending().minus(here).plus(here).flatMap { computer -> roster(computer).agents.map { it to computer } }.toMap()
     }
 
-    /** The names of all agents in touch. */
+    /** The names of all agents on computers in touch. */
     val names: Set<String> get() = owners.keys
 
-    /** All agents in touch, each with its computer. */
+    /** All agents on computers in touch, each with its computer. */
     val agents: Map<String, String> get() = owners
 
-    /** The agents of each computer in touch that has any, sorted. */
+    /** The sorted agents of each computer in touch; computers without agents are left out. */
     val agentsOf: Map<String, List<String>> by lazy {
         owners.entries.groupBy({ it.value }, { it.key }).mapValues { (_, names) -> names.sorted() }
     }
 
-    /** The computers of the fleet that are known, in touch or not. */
+    /** The known computers of the fleet, whether in touch or not. */
     val computers: Set<String> get() = (hosts + rosters.keys + inTouch).toSortedSet()
 
-    /** The services of all agents in touch. */
+    /** The services of all agents on computers in touch. */
     val offers: Set<Offer> by lazy { inTouch.flatMap { roster(it).offers }.toSet() }
 
     fun roster(computer: String): Roster = rosters[computer] ?: Roster()
@@ -69,7 +69,7 @@ internal data class Directory(
 
     fun runs(agent: String, computer: String): Boolean = isMet(computer) && agent in roster(computer).agents
 
-    /** Returns the place of [agent]. If several computers have such an agent, prefers this one, then the first by name. */
+    /** Returns the place of [agent]. If several computers run such an agent, prefers this computer, then the first by name. */
     fun find(agent: String): Place {
         val owner = owners[agent]
         if (owner != null) return if (owner == here) Place.Here else Place.There(owner)
@@ -78,7 +78,7 @@ internal data class Directory(
         return if (computers.isEmpty()) Place.Unknown else Place.Off(computers)
     }
 
-    /** Returns the computers that the project names for [agent]; empty if it names only one, and that one does not run [agent] any more. */
+    /** Returns the computers that the project names for [agent]; empty if the only such computer is known not to run [agent]. */
     private fun expected(agent: String): List<String> {
         val computers = planned[agent].orEmpty()
         val hasEnded = computers.size == 1 && isMet(computers.single())
@@ -87,7 +87,7 @@ internal data class Directory(
 
     fun with(computer: String, news: RosterNews): Directory = copy(rosters = rosters + (computer to roster(computer).with(news)))
 
-    /** Forgets the rosters of [computers], since their programs have begun anew. */
+    /** Forgets the rosters of [computers]. Call this when their programs have begun anew. */
     fun without(computers: List<String>): Directory = copy(rosters = rosters - computers.toSet())
 
     fun with(inTouch: Set<String>): Directory = copy(inTouch = inTouch)

@@ -13,20 +13,20 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
-/** The agents of this computer, as the fleet needs them. The cluster's thread calls these functions, which must not wait. */
+/** What a fleet needs of this computer's agents. The cluster's thread calls these functions, which must not wait. */
 internal interface LocalAgents {
     /** Puts [message] into its receiver's mailbox. @throws Refused if the receiver is not here, or cannot read [message] */
     fun take(message: Say)
 
-    /** Fails the question of an agent, if that is here and still waits for the answer. */
+    /** Fails the question of an agent, if the agent is here and still waits for the answer. */
     fun take(message: Unanswered)
 
-    /** Kills an agent. @throws Refused if the agent is not here, or does not let itself be killed */
+    /** Kills an agent. @throws Refused if the agent is not here, or cannot be killed */
     fun kill(wanted: Kill)
 
     fun stop(wanted: Stop)
 
-    /** Other agents, services or computers are in touch now. Also called by threads of agents. */
+    /** The agents, services or computers in touch have changed. Threads of agents also call this function. */
     fun directoryChanged(before: Directory, now: Directory)
 
     /** This computer cannot stay in the fleet, for [reason]. */
@@ -34,8 +34,7 @@ internal interface LocalAgents {
 }
 
 /**
- * Connects this computer with the others of its fleet: tells them this computer's agents and services, knows theirs, and sends them
- * messages.
+ * Connects this computer with the others of its fleet: tells the other computers its agents and services, knows theirs, and sends messages.
  *
  * Safe for use by several threads, never blocks.
  *
@@ -53,7 +52,7 @@ internal class Fleet(
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
     private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
-    private val told = ConcurrentHashMap.newKeySet<String>() // lines that the log must not repeat
+    private val told = ConcurrentHashMap.newKeySet<String>() // the lines that were logged once and must not be repeated
     private val met = CompletableFuture<Unit>()
 
     /** The present places of agents and services. */
@@ -63,7 +62,7 @@ internal class Fleet(
 
     val here: String get() = cluster.here
 
-    /** Joins the fleet: from now on [agents] and [leases] are called. */
+    /** Joins the fleet. From now on, the fleet calls [agents] and [leases]. */
     fun join(agents: LocalAgents, leases: Leases) {
         this.agents = agents
         this.leases = leases
@@ -86,18 +85,18 @@ internal class Fleet(
         return others.associateWith { cluster.send(it, bytes) }
     }
 
-    /** An agent of this computer has begun. */
+    /** Tells the fleet that [agent] has begun on this computer. */
     fun came(agent: String) = tell(RosterNews(came = setOf(agent)))
 
-    /** An agent of this computer has ended; its services end too. */
+    /** Tells the fleet that [agent] has ended on this computer, together with its services. */
     fun gone(agent: String) = synchronized(this) {
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
 
-    /** Notes that this computer cannot start [agent], which outlives its computer, so that others do. */
+    /** Tells the fleet that this computer cannot start [agent], which outlives its computer, so that another computer starts it. */
     fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
-    /** Notes that this computer tries to start [agent] again if it is missing. */
+    /** Tells the fleet that this computer will try again to start [agent] if the agent is missing. */
     fun canStart(agent: String) = tell(RosterNews(able = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
@@ -128,7 +127,7 @@ internal class Fleet(
         repeatIfLost(computer, send(computer, whole))
     }
 
-    /** If the news with this [end] does not arrive although [computer] stays in touch, tells [computer] everything anew a little later. */
+    /** If news to [computer] fails, as [end] tells, and [computer] is still in touch, tells it everything anew a little later. */
     private fun repeatIfLost(computer: String, end: CompletionStage<Void>) {
         end.exceptionally { failed ->
             if (computer in directory.inTouch && failed.reason() !is Refused) {
@@ -138,7 +137,7 @@ internal class Fleet(
         }
     }
 
-    /** Changes the directory. Call this under the lock, so that computers hear of the changes in their order. */
+    /** Changes the directory. Call this under the lock, so that other computers hear of the changes in the right order. */
     private fun change(how: (Directory) -> Directory) {
         val before = directory
         directory = how(before)
@@ -194,10 +193,10 @@ internal class Fleet(
                 val others = view.computers.values.filter { it.name != here }
                 val begun = others.filter { sessions.put(it.name, it.session) != it.session }
                 val come = others.filter { it in begun || it.name !in directory.inTouch }
-                // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
+                // a computer whose program goes on may not know that it was lost. Its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // [computer] may not know that this computer lacks its roster
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // that computer may not know that its roster is missing here
             }
             leases.changed(view)
         }
@@ -212,7 +211,7 @@ internal class Fleet(
     }
 }
 
-/** The reason why a stage failed, without the wrapper that stages may add. */
+/** Returns the exception with which a stage failed, without the wrapper that stages may add. */
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
 /** Returns the failure of a message to [agent], which no computer in touch runs. */
@@ -227,5 +226,5 @@ internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unrea
     return Unreachable("$agent cannot be reached: $reason")
 }
 
-/** The error of a message that has arrived, but cannot be read. */
+/** The error for a message that arrived but cannot be read. */
 internal const val NOT_READABLE = "not_readable"

@@ -11,7 +11,7 @@ internal sealed interface FleetMessage {
     fun encode(): ByteArray = byteArrayOf(FORMAT) + JSON.encodeToString(serializer(), this).encodeToByteArray()
 
     companion object {
-        /** The first byte of each message. In other versions of ARGO, the same words may mean other things. */
+        /** The first byte of each message. Another format may use the same names in JSON for other things. */
         const val FORMAT: Byte = 1
         private val JSON = Json { encodeDefaults = false }
 
@@ -34,11 +34,11 @@ internal sealed interface FleetMessage {
 internal class UnreadableMessage(override val message: String) : Exception(message)
 
 /**
- * A message of an agent to another.
+ * A message from one agent to another.
  *
  * @property force the performative, such as `tell`
  * @property content the text of the content, see [argo.recording.agent.MessageContent]
- * @property term the term of the reign in which the sender has sent it; 0: the sender is no agent that outlives its computer
+ * @property term the term of the [Reign] in which the sender runs; 0: the sender does not outlive its computer
  */
 @Serializable
 @SerialName("say")
@@ -52,7 +52,7 @@ internal data class Say(
     val term: Long = 0,
 ) : FleetMessage
 
-/** The answer to the [question] of the agent [to] does not arrive; [error] and [reason] tell why. */
+/** The answer to [question], which the agent [to] has asked, will not arrive; [error] and [reason] tell why. */
 @Serializable
 @SerialName("unanswered")
 internal data class Unanswered(val question: String, val to: String, val error: String, val reason: String) : FleetMessage
@@ -66,7 +66,7 @@ internal data class Offer(val agent: String, val service: String)
  *
  * @property isWhole true: these are all agents and services; false: only the changes since the last roster
  * @property unable the agents that outlive their computers and that the sender cannot start
- * @property able those that it tries to start again
+ * @property able the agents, unable before, that the sender will try to start again
  * @property asksBack whether the receiver must send its own roster, since the sender does not know it
  */
 @Serializable
@@ -82,7 +82,7 @@ internal data class RosterNews(
     val asksBack: Boolean = false,
 ) : FleetMessage
 
-/** The agent [by] wants [agent] to be killed in [deadlineMs] ms. */
+/** The agent [by] kills [agent], which has [deadlineMs] ms to end. */
 @Serializable
 @SerialName("kill")
 internal data class Kill(val agent: String, val by: String, val deadlineMs: Int) : FleetMessage
@@ -95,7 +95,7 @@ internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitSta
 /**
  * The sender wants to run [agent], which outlives its computer, or to go on running it. Each claim has a greater [number].
  *
- * @property mindTerm the [MindNews.term] of the agent's mind that the sender knows; 0: the sender knows none
+ * @property mindTerm the [MindNews.term] of the newest mind of [agent] that the sender knows; 0: the sender knows none
  * @property mindNumber the [MindNews.number] of the same mind
  */
 @Serializable
@@ -109,9 +109,9 @@ internal data class Claim(
 ) : FleetMessage
 
 /**
- * The answer to [Claim]. A computer that grants a claim promises to grant no other computer's claim for some time.
+ * The answer to a [Claim]. A computer that grants a claim promises to grant no other computer's claim for some time.
  *
- * @property term the greatest term that the sender knows of this agent
+ * @property term the greatest term of a reign over [agent] that the sender knows
  */
 @Serializable
 @SerialName("grant")

@@ -1,20 +1,20 @@
 package argo.fleet.node
 
 /**
- * The right to run one agent that outlives its computer, as one computer sees it: the promises that this computer has given, and those that
- * it has got. The computer that runs the agent claims the right from all computers again and again. A computer that grants a claim promises
- * to grant no other computer's claim for [DURATION_NS]. The claimant counts that time from the moment of its claim, so its right ends
- * before the promise does. It may run the agent while more than half of the computers have granted its claims. Two majorities share a
- * computer, so two computers never run the agent at a time.
+ * One computer's knowledge of the right to run an agent that outlives its computer: the promises that this computer has given and got. The
+ * computer that runs the agent claims the right from all computers again and again. A computer that grants a claim promises to grant no
+ * other computer's claim for [DURATION_NS]. The claimant counts that time from its claim, so its right ends before the promise does. It may
+ * run the agent while promises of more than half of the computers are valid. Any two majorities share a computer, so the agent never runs
+ * on two computers at once.
  *
  * Not safe for use by several threads, except for [mayRun] and [ownTerm].
  *
  * @param computers the number of computers of the fleet
- * @param startNs the time at which this program began; it grants nothing for one duration, since its last run may have given a promise
- * @param claims a random number from which claims are counted, so that no answer to the program's last run counts
- * @param nanos a clock in ns that never goes back; it may stand still while the computer is suspended
- * @param wallMs a clock in ms that also runs while the computer is suspended; a right ends by this clock, too, so a change of the clock may
- * end a right early
+ * @param startNs the time at which this program began. It grants nothing for one duration, since its previous run may have given a promise
+ * @param claims a random number from which claims are numbered, so that no answer to the program's previous run counts
+ * @param nanos a clock in ns that never goes back, but may stop while the computer is suspended
+ * @param wallMs a clock in ms that also runs while the computer is suspended. A right ends by either clock, so a change of this clock may
+ * end it early
  */
 internal class Lease(
     private val computers: Int,
@@ -30,11 +30,11 @@ internal class Lease(
     private val asked = HashMap<Long, Moment>() // the time of each claim, by the claim's number
     private val granted = HashMap<String, Moment>() // the time of the newest granted claim, by the granting computer
 
-    /** The greatest term that this computer knows. Each new reign over the agent has a greater term than all earlier reigns. */
+    /** The greatest known term. Each new reign, the time of the agent on one computer, has a greater term than all earlier ones. */
     var term = 0L
         private set
 
-    /** The term of this computer's reign; 0: this computer claims no reign. */
+    /** The term of the reign that this computer has or claims; 0: none. */
     @Volatile
     var ownTerm = 0L
         private set
@@ -49,7 +49,7 @@ internal class Lease(
         return nanos() - since.ns < RIGHT_NS && wallMs() - since.wallMs < RIGHT_NS / NANOS_PER_MS
     }
 
-    /** Makes the next claim, which is for all computers in touch, including this one. */
+    /** Returns the next claim, which must go to all computers in touch, including this one. */
     fun claim(agent: String): Claim {
         if (ownTerm == 0L) beginTerm()
         val now = nanos()
@@ -59,7 +59,7 @@ internal class Lease(
         return Claim(agent, claims, ownTerm)
     }
 
-    /** Grants of an earlier term do not count, since another computer may begin the same term meanwhile. */
+    /** Begins a new term. Earlier grants do not count in it, since another computer may begin the same term meanwhile. */
     private fun beginTerm() {
         ownTerm = term + 1
         granted.clear()
@@ -88,17 +88,17 @@ internal class Lease(
         val moment = asked[grant.number] ?: return
         if (grant.isGranted && grant.term == ownTerm) {
             granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
-            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that most have granted
+            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that a majority has granted
         } else if (grant.term > ownTerm || !grant.isGranted && grant.term == ownTerm && !mayRun()) {
-            // a computer that refuses this computer's own term has granted it to another one; it grants each term to one only. This computer
-            // may itself have granted a greater one meanwhile
+            // a computer that refuses this term has granted it to another computer, since it grants each term only once. This computer may
+            // have granted a greater term meanwhile: then `term` stays
             term = maxOf(term, grant.term)
             ownTerm = 0
         }
     }
 
     companion object {
-        /** The time for which a computer grants the right, and for which an agent may be missing. No clock may jump by more. */
+        /** The time for which a computer grants the right. After a loss, an agent may be missing for as long. No clock may jump by more. */
         const val DURATION_NS = 1_500_000_000L
 
         /** The time for which the claimant uses the right: less than the promise, since the clocks of two computers may differ a little. */

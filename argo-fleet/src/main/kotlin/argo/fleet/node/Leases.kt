@@ -15,12 +15,12 @@ import kotlin.random.Random
 /** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
     /**
-     * Starts [agent] with [mind], later; null: the agent's mind is not known, or this is its first start. If starting fails, calls
-     * [Leases.cannotStart]. If [reign] has ended by then, calls [Leases.giveUp].
+     * Starts [agent] with [mind] after this call returns; null: the agent's mind is not known, or this is its first start. If the start
+     * fails, calls [Leases.cannotStart]. If [reign] has ended before the start, calls [Leases.giveUp].
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
-    /** Stops [agent], later. Its reign is over already, so that it does nothing more. */
+    /** Stops [agent] after this call returns. Until then the agent does nothing, since its reign is over. */
     fun stop(agent: String)
 }
 
@@ -31,8 +31,8 @@ internal class Reign(private val lease: Lease, val term: Long) {
 }
 
 /**
- * Decides which agents that outlive their computers run on this one. A missing agent starts on the first of its computers that is in touch,
- * and stays there until that computer goes.
+ * Decides which of the agents that outlive their computers run on this computer. A missing agent starts on the first of its computers that
+ * is in touch, and stays there until that computer is lost.
  *
  * @param planned the agents that outlive their computers, each with the computers that it may run on
  * @param hosts the number of computers of the fleet
@@ -50,7 +50,7 @@ internal class Leases(
     private val held = planned.mapValues { (agent, computers) ->
         Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
     }
-    private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>() // computers, each with an agent whose mind it lacks
+    private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>() // a computer, and an agent whose mind it lacks
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
         Thread(work, "argo-fleet-leases").apply { isDaemon = true }
     }
@@ -81,16 +81,16 @@ internal class Leases(
         hasMajority = view.hasMajority
     }
 
-    /** Returns true if the reign of the sender of [message] is over, since another computer runs the same agent. */
+    /** Returns true if this computer knows a later reign over the agent that sent [message]. That agent runs on another computer now. */
     fun isOutdated(message: Say): Boolean =
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So at least one of the computers that
-     * grant the agent to its next computer has the mind. Any thread.
+     * Notes the mind of an agent that this computer runs, and sends it to all other computers in touch. So at least one of the computers
+     * that grant the agent's next reign has the mind. Any thread may call this.
      *
-     * @return completed when all of these computers have the mind; fails if one has not got it, which the log reports once until that
-     * computer has it
+     * @return completed when all of these computers have the mind. Fails if one of them does not get it; the log then warns once, and again
+     * only after that computer has got a newer mind
      */
     fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }
@@ -106,15 +106,15 @@ internal class Leases(
     }
 
     /**
-     * Gives up [agent] in its [reign], since this computer cannot start it for [reason], so that the next computer runs it. Later this
-     * computer may try again. Any thread.
+     * Gives up [reign] over [agent], which this computer cannot start for [reason], so that the next computer runs it. Later this computer
+     * may try again. Any thread may call this.
      */
     fun cannotStart(agent: String, reign: Reign, reason: Throwable) {
         fleet.cannotStart(agent) // first, or this computer would claim the agent again at once
         synchronized(this) { held(agent).cannotStart(reign, reason) }
     }
 
-    /** Gives up [agent] in its [reign]; this computer may claim the agent again. Any thread. */
+    /** Gives up [reign] over [agent]; this computer may claim the agent again. Any thread may call this. */
     fun giveUp(agent: String, reign: Reign) = synchronized(this) { held(agent).giveUp(reign) }
 
     override fun close() {
@@ -188,14 +188,14 @@ internal class Leases(
             agents.start(agent, begun, mind)
         }
 
-        /** Whether this computer should run the agent, since no computer in touch does. */
+        /** Whether this computer should start the agent: no computer in touch runs it, and this is the first that can. */
         private fun isMine(): Boolean {
             val directory = fleet.directory
             val isMissing = hasMajority && directory.find(agent) is Place.Off
             if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
             val since = missingSince ?: return false.also { lease.giveUp() }
             val first = computers.find { it in directory.inTouch && agent !in directory.roster(it).unable }
-            // computers that begin together find each other first
+            // only the agent's first computer starts it at once: computers that begin together must find each other first
             return first == fleet.here && (first == computers.first() || nanos() - since > PATIENCE_NS || nanos() - start > BEGINNING_NS)
         }
 

@@ -1,7 +1,7 @@
 package argo.fleet.node
 
 /**
- * Says when to try again what has failed: after half a minute, and after twice the time at each further failure, an hour at most.
+ * Decides when to try again after a failure: after half a minute, then after twice the time with each further failure, up to an hour.
  *
  * @param nanos a clock in ns that never goes back
  */
@@ -17,7 +17,7 @@ internal class Retry(private val nanos: () -> Long) {
         return wait
     }
 
-    /** Returns true once for each failure, when its time is over. */
+    /** Returns true once after each failure, as soon as the time until the next try is over. */
     fun isDue(): Boolean {
         val isDue = next?.let { nanos() - it >= 0 } ?: false
         if (isDue) next = null

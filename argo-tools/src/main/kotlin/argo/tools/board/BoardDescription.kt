@@ -12,20 +12,20 @@ import java.util.concurrent.TimeUnit
 
 /** The known facts about a board. */
 internal interface Description {
-    /** Returns the facts in words, the kind of the board first. */
+    /** Returns the facts in words; the first line tells the kind of the board. */
     fun lines(): List<String>
 
-    /** Returns the members of its JSON object. */
+    /** Returns the same facts as members of a JSON object. */
     fun members(): Map<String, Any?>
 }
 
 /**
  * The known facts about a board on a line.
  *
- * @property actions `ledOn`, `speed/1` with an argument, and a star in place of 1 for any number of arguments; null: the board does not
- *   describe itself
- * @property described the board's answer to the question for the kinds of its percepts
- * @property lost the number of actions of the sketch for which the board's memory has no room
+ * @property actions the actions, such as `ledOn` without arguments and `speed/1` with one; a star in place of 1 means any number of
+ *   arguments; null: the board does not describe itself
+ * @property described the kinds of percepts that the board describes itself
+ * @property lost the number of the sketch's actions that do not fit into the board's memory
  * @property rules the number of critical rules that fit on the board; null: the board speaks version 1
  */
 internal class BoardDescription(
@@ -68,7 +68,7 @@ internal class BoardDescription(
     companion object {
         private const val ANSWER_MS = 1_000
 
-        /** Asks the board on [link] for its percepts once, and for its description. Throws like [Link.request]. */
+        /** Asks the board on [link] once for its percepts and its description. Throws the exceptions of [Link.request]. */
         fun of(link: Link): BoardDescription {
             val welcome = Welcome()
             link.onBoardEvents(welcome)
@@ -93,8 +93,8 @@ internal class BoardDescription(
 }
 
 /**
- * Waits until the board on [link] has described its actions, at most three seconds. Returns them; an empty list: its sketch has no table of
- * actions; null: it speaks version 1, or has not described them in time. Throws like [Link.watch].
+ * Waits for the actions that the board on [link] describes, at most three seconds, and returns them. Empty: its sketch has no table of
+ * actions; null: it speaks version 1, or has not described its actions in time. Throws the exceptions of [Link.watch].
  */
 internal fun actionsOf(link: Link): List<BoardAction>? {
     val end = System.nanoTime() + VOCABULARY_NANOS
@@ -105,7 +105,7 @@ internal fun actionsOf(link: Link): List<BoardAction>? {
 private const val SLICE_MS = 20
 private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
-/** Writes [action] with its number of arguments. */
+/** Returns the name of [action], with its number of arguments unless that is 0. */
 internal fun written(action: BoardAction) = action.name + when (action.arguments) {
     0 -> ""
     BoardAction.ANY -> "/*"

@@ -6,13 +6,13 @@ import javino.PortTimeoutException
 import javino.link.Link
 
 /**
- * A board's answer to the question for the kinds of its percepts. [description] is the answer, empty if the board describes none; null: a
- * board of version 2 gave no answer in time.
+ * A board's answer when asked for the kinds of its percepts. [description] is empty if the board describes no kinds, and null if a board of
+ * version 2 gave no answer in time.
  */
 internal class DescribedKinds(val description: PerceptDescription?) {
     val kinds: List<PerceptKind> get() = description?.kinds().orEmpty()
 
-    /** The reason why some of the board's kinds are missing, in words; null: none are missing. */
+    /** The reason why some of the board's kinds are missing, in words; null: all are there. */
     val trouble: String?
         get() {
             val problems = (description ?: return "unknown; the board did not describe them in time").problems()
@@ -24,7 +24,7 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
-        /** The answer of a board that nobody has asked. */
+        /** For a board that was not asked: no kinds. */
         val NONE = DescribedKinds(PerceptDescription(emptyList(), emptyList()))
 
         /** Asks the board on [link], and waits [timeoutMs] ms at most. */

@@ -22,8 +22,8 @@ internal class Interruption : AutoCloseable {
     }
 
     /**
-     * Returns true if the program is ending, or begins to end within [LATE_MS]. A signal to all programs of a terminal may end a command's
-     * child programs before this one. Call it on the thread that made this object. If true, it clears that thread's interruption.
+     * Returns true if the program is ending, or begins to end within [LATE_MS]: Ctrl-C goes to all programs of a terminal, and may end a
+     * command's child programs before this one. Call it on the thread that made this object. If true, it clears that thread's interruption.
      */
     fun isEnding(): Boolean = try {
         ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }

@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** The options of a line, like those of `argo.port`; picocli mixes them into a command. */
+/** The options for a board's line, like those of `argo.port`; picocli mixes them into a command. */
 class LineOptions {
     @Spec(Spec.Target.MIXEE)
     private lateinit var spec: CommandSpec
@@ -45,7 +45,7 @@ class LineOptions {
     )
     private var boot = 0
 
-    /** Checks all options and opens the bare line at [port]. */
+    /** Checks all options, and opens the line at [port] for raw bytes, without Javino. */
     fun openRaw(port: String): Transport = Transports.open(inJavino(port), settings().line())
 
     /**
@@ -56,7 +56,7 @@ class LineOptions {
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
     /**
-     * Opens [port] if it is on no line, as `ros://robot:9090`, after a check of all options; null: it is on a line. Refuses options of lines.
+     * Opens [port] if it is no line, such as `ros://robot:9090`; null: it is one. First checks all options, and refuses those of lines.
      *
      * @throws javino.PortException if it cannot be opened
      */
@@ -67,12 +67,12 @@ class LineOptions {
         return provider.open(port, true, LineClock.system())
     }
 
-    /** The time limit of a command in ms; 0: none is given. */
+    /** The time limit that the user has given, in ms; 0: the user has given none. */
     val givenTimeoutMs: Int get() = if (isGiven("--timeout")) timeoutMs else 0
 
     private fun isGiven(option: String) = spec.commandLine().parseResult.hasMatchedOption(option)
 
-    /** Returns [port]; refuses a port that is on no line. */
+    /** Returns [port] if it is a line, and refuses it otherwise. */
     private fun inJavino(port: String): String {
         if (BoardLinkProvider.of(port) == null) return port
         spec.refuse("$port is on no line, and this command speaks only Javino; monitor, send and \"ports --describe\" do more")

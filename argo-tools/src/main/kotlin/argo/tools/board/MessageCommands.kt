@@ -93,10 +93,10 @@ internal class SendCommand : MessageCommand() {
     }
 
     private companion object {
-        /** A sketch that takes messages one by one takes each, also one that it does not know. */
+        /** For a sketch that reads messages itself: it takes every message, even an unknown one. */
         const val TAKEN = "the board has taken the command; it lists no actions, so nobody knows whether it acted or has ignored it"
 
-        /** The sender cannot distinguish a silent port from a board of version 1. */
+        /** For a port without an answer: it may be silent, or have a board of version 1. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"
     }

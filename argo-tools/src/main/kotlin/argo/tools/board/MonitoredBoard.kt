@@ -8,10 +8,10 @@ import javino.link.Link
 
 /** A board whose messages `monitor` shows. */
 internal interface MonitoredBoard {
-    /** True if the board is asked for each message; false: it sends messages by itself. */
+    /** Whether the board must be asked for each message; otherwise it sends messages by itself. */
     val isAsked: Boolean
 
-    /** Its protocol, in words. */
+    /** The board's protocol, in words. */
     val speaks: String
 
     /** The number of damaged frames that were dropped. */
@@ -38,7 +38,7 @@ internal class JavinoBoard(private val link: Link, override val isAsked: Boolean
     override fun kinds() = DescribedKinds.of(link, timeoutMs)
 }
 
-/** A board whose [link] is no line, such as a robot that speaks ROS. Such a board sends its messages at an interval. */
+/** A board whose [link] is no line, such as a robot that speaks ROS. It sends messages by itself, at an interval. */
 internal class LinkedBoard(private val link: BoardLink, intervalMs: Int, private val timeoutMs: Int) : MonitoredBoard {
     override val isAsked get() = false
     override val speaks = link.port.substringBefore(':')

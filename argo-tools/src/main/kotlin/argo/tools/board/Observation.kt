@@ -12,7 +12,7 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 
-/** Observes the percepts of a board for some [seconds] from now on. [mayBeSilent] tells whether the board sends only when it has news. */
+/** Observes a board's percepts for [seconds], from the making of this object. [mayBeSilent]: the board sends only when it has news. */
 internal class Observation(private val seconds: Int, private val mayBeSilent: Boolean) {
     private val observed = ObservedKinds()
     private val unreadable = LinkedHashSet<String>() // at most MAX_TEXTS
@@ -24,7 +24,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     var isLost = false
         private set
 
-    /** Reads the message [first], and then the messages that [next] returns. Ends early if the port is lost or the thread interrupted. */
+    /** Observes the message [first], and then those from [next]. Ends early if the port is lost or the thread is interrupted. */
     fun run(first: String, next: () -> String) {
         add(first)
         try {
@@ -48,7 +48,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
 
     private fun heardSeconds() = Rates.seconds(TimeUnit.NANOSECONDS.toMillis(heard - begun))
 
-    /** Takes in a message, or a percept. */
+    /** Observes the percepts in [text], a message or a single percept. */
     fun add(text: String) {
         heard = System.nanoTime()
         for (percept in perceptsOf(text)) {
@@ -63,7 +63,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
 
     fun kinds(): List<PerceptKind> = observed.kinds()
 
-    /** Returns the reasons why [kinds] are incomplete, a sentence each. */
+    /** Returns a sentence for each reason why [kinds] are incomplete. */
     fun notes(): List<String> = listOfNotNull(
         end,
         unreadable.firstOrNull()?.let {
@@ -79,6 +79,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     }
 }
 
-/** Returns a sentence that says that the kinds [own], such as `port/2`, are left out; null: there are none. */
+/** Returns a sentence about the kinds [own], such as `port/2`, which are left out; null: [own] is empty. */
 internal fun ownLeftOut(own: Collection<String>): String? =
     if (own.isEmpty()) null else "left out: ${own.distinct().joinToString()}, of beliefs of ARGO's own, which no board can claim"

@@ -7,9 +7,9 @@ import java.math.BigDecimal
 import java.util.Optional
 
 /**
- * The kinds of the observed percepts. Percepts with the same functor and number of arguments are of one kind. An argument that was always a
- * number has the range of its numbers. An argument that was always one of a few atoms has these as choices. Functors in quotes, and kinds
- * beyond [MAX_KINDS], count only as [others].
+ * The kinds of the observed percepts. Percepts with the same functor and number of arguments are of one kind. If an argument was always a
+ * number, its range is noted. If it was always one of a few atoms, these are its choices. Percepts with a functor in quotes, and kinds
+ * beyond [MAX_KINDS], are only counted as [others].
  */
 internal class ObservedKinds {
     private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // each kind's functor and arguments, by `functor/arity`

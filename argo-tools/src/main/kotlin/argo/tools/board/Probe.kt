@@ -25,13 +25,13 @@ internal data class ProbedBoard(
 )
 
 /**
- * Finds out whether a Javino board answers at a port, at one rate after the other. Opening a port resets most boards.
+ * Finds out whether a Javino board answers at a port. Tries one rate after the other. Opening a port resets most boards.
  *
- * @param rates bits a second, at least one; for a port without rates, such as `sim:robot`, only the first counts
+ * @param rates the rates to try, at least one, in bits a second; for a port without rates, such as `sim:robot`, only the first counts
  * @param describes whether the board is also asked for its description
  */
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
-    /** Probes the port [name]. Takes up to four seconds for each rate without an answer. */
+    /** Probes the port [name]. This takes up to four seconds for each rate without an answer. */
     fun of(name: String): ProbedBoard {
         BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
@@ -39,14 +39,14 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         for (rate in tried) {
             val board = at(name, rate, strays)
             if (board != null) return board
-            if (strays.last().run { count > 0 && isText }) break // the rate is right, but this is no Javino board
+            if (strays.last().run { count > 0 && isText }) break // readable text: the rate is right, but this is no Javino board
         }
         val telling = strays.maxWith(compareBy({ it.count > 0 && it.isText }, { it.count }))
         val rates = strays.map { it.baud }.joinToString(" and ", postfix = " baud")
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
     }
 
-    /** Probes a board that is on no line. */
+    /** Probes a board that has no line, such as a robot that speaks ROS. */
     private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
         provider.open(name, true, LineClock.system()).use { link ->
             val description = if (describes) LinkDescription.of(link) else null
@@ -58,7 +58,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         ProbedBoard(trouble.message.orEmpty(), answers = null)
     }
 
-    /** Probes the port [name] at this [rate]; if nothing answers, notes the bytes that came in [strays] and returns null. */
+    /** Probes the port [name] at this [rate]. If no board answers, adds the received bytes to [strays], and returns null. */
     private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
         val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
         return try {

@@ -4,8 +4,8 @@ import argo.tools.command.counted
 import java.util.Locale
 
 /**
- * The rates of messages and of their percepts. Times are milliseconds since monitoring began. Percepts that differ only in numbers are of
- * one kind. At most [MAX_KINDS] kinds are counted separately.
+ * The rates of messages and of the percepts in them. Times are in ms, from the beginning of monitoring. Percepts that differ only in
+ * numbers are of one kind. At most [MAX_KINDS] kinds are counted separately.
  */
 internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
@@ -34,10 +34,10 @@ internal class Rates {
         kind?.last = percept
     }
 
-    /** Returns the messages a second over the last [RECENT] messages; null before the second message. */
+    /** Returns the rate of the last [RECENT] messages, in messages a second; null before the second message. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
-    /** Returns a line for the messages, and one for each kind of percepts. */
+    /** Returns a line about the messages, and one about each kind of percepts. */
     fun summary(): List<String> {
         val total = "${counted(messages, "message")} in ${seconds(lastMs - firstMs)} s" + rate(messages)
         val rows = kinds.map { (name, kind) -> "  $name: ${kind.count}${rate(kind.count)}, last ${kind.last}" }

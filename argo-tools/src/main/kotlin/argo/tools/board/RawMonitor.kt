@@ -8,7 +8,7 @@ import javino.Transport
 import java.io.PrintWriter
 import java.util.concurrent.TimeUnit
 
-/** Shows all bytes from [line]. Each line of text, or the bytes before a pause, make one line of output. */
+/** Shows all bytes from [line]. A line of output ends with each line of text, and at each pause. */
 internal class RawMonitor(private val line: Transport, private val out: PrintWriter, private val paint: Paint) {
     private val start = System.nanoTime()
     private val buffer = ByteArray(BUFFER)
@@ -16,12 +16,12 @@ internal class RawMonitor(private val line: Transport, private val out: PrintWri
     private var lines = 0
     private var bytes = 0L
 
-    /** Runs until it is interrupted, for at most [count] lines and [seconds]; null: no such limit. Returns the exit status. */
+    /** Runs until interrupted, for at most [count] lines and [seconds] s; null: no such limit. Returns the exit status. */
     fun run(count: Int?, seconds: Int?): Int {
         try {
             while (lines < (count ?: Int.MAX_VALUE) && (seconds == null || ms() < TimeUnit.SECONDS.toMillis(seconds.toLong()))) read()
         } catch (_: PortInterruptedException) {
-            Thread.interrupted() // the summary is not interrupted
+            Thread.interrupted() // so that writing the summary is not interrupted
         }
         print()
         out.println("${counted(bytes, "byte")} in ${Rates.seconds(ms())} s at ${line.line().baud()} baud")

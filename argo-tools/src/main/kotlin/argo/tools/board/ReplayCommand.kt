@@ -118,7 +118,7 @@ internal class ReplayCommand : JasonCommand() {
         return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
-    /** Calls [serve] with the name of the port. With the option --link, this is a symbolic link that exists while [serve] runs. */
+    /** Calls [serve] with the port's name: with --link, the name of a symbolic link that exists while [serve] runs. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
         val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
@@ -139,14 +139,14 @@ internal class ReplayCommand : JasonCommand() {
         } catch (_: PortInterruptedException) {
             Thread.interrupted() // so that the terminals can be removed
         } catch (_: InterruptedException) {
-            // interrupted while it waited for a listener
+            // Ctrl-C has ended the wait for a listener
         } catch (gone: PortException) {
             if (!interruption.isEnding()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
         }
         return ExitStatus.DONE
     }
 
-    /** Waits until a program has opened the port, for a board that sends unasked. Returns at once if the system does not show it. */
+    /** For a board that sends unasked: waits until a program opens the port. Returns at once if the system does not show that. */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)
@@ -156,10 +156,10 @@ internal class ReplayCommand : JasonCommand() {
     private companion object {
         const val POLL_MS = 100L
 
-        /** The time after the opening of the port before a board starts. In that time a serial driver empties the port. */
+        /** The time from the opening of the port to the board's start. In this time, the program's serial driver discards all bytes. */
         const val START_MS = 500L
 
-        /** The default time by which a command may be earlier or later. */
+        /** By default, a command may be so much earlier or later. */
         const val WITHIN_MS = 100L
     }
 }

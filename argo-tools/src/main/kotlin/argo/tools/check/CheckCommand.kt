@@ -109,7 +109,7 @@ internal class CheckCommand : DataCommand() {
     }
 }
 
-/** Returns the file of [finding]; relative to the working directory if the directory contains it. */
+/** Returns the file of [finding], as a relative path if the file is in the working directory. */
 internal fun fileOf(finding: Finding): Path {
     val here = Path.of("").toAbsolutePath()
     val file = finding.place.file.toAbsolutePath().normalize()

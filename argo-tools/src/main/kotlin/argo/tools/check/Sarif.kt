@@ -8,7 +8,7 @@ import kotlinx.serialization.json.JsonObject
 import java.net.URI
 import java.nio.file.Path
 
-/** Returns [findings] in SARIF 2.1.0, the static analysis results interchange format of OASIS. */
+/** Writes [findings] in SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS. */
 internal fun sarifOf(findings: List<Finding>): JsonObject = jsonOf(
     "\$schema" to "https://json.schemastore.org/sarif-2.1.0.json",
     "version" to "2.1.0",

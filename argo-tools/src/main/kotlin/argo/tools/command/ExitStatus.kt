@@ -16,7 +16,7 @@ object ExitStatus {
     const val FAILED = 1
 }
 
-/** A command fails; [message] tells the user why. */
+/** Ends a command that has failed; [message] tells the user why. */
 class ToolException(message: String) : Exception(message)
 
 /** Returns the message of [failure] for the user; null for an unexpected failure. */

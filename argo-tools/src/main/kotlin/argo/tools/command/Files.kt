@@ -10,7 +10,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 
 /**
- * Checks, before any work, that [file] does not exist but its folder does.
+ * Checks that [file] does not exist yet, and that its folder does. Call this before any work.
  *
  * @throws ToolException if [file] cannot be made
  */
@@ -36,7 +36,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
         throw ToolException("$file exists already, and is not overwritten")
     } catch (_: AccessDeniedException) {
         throw ToolException("this user may make no files in the folder ${folderOf(file)}")
-    } catch (refused: FileSystemException) { // for example in /proc, or on a full or read-only disk
+    } catch (refused: FileSystemException) { // the folder is in /proc, or on a full or read-only disk
         throw ToolException("no files can be made in the folder ${folderOf(file)}${refused.reason?.let { ": $it" }.orEmpty()}")
     }
 }
@@ -44,7 +44,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
 private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent ?: file
 
 /**
- * Checks that [file] is a regular file, since reading a pipe without a writer never ends.
+ * Checks that [file] is a regular file: reading a pipe without a writer would never end.
  *
  * @throws ToolException if [file] is no regular file
  */
@@ -55,13 +55,13 @@ fun requireFile(file: Path) {
 }
 
 /**
- * Opens all of [files] by [open], in their order and after those that are already [opened]; returns what [work] returns for them. Closes
- * them.
+ * Opens all of [files] by [open], one after the other, calls [work] with the list of [opened] and these, and returns its result. Closes all
+ * that it has opened.
  */
 fun <T : AutoCloseable, R> withAll(files: List<Path>, open: (Path) -> T, opened: List<T> = emptyList(), work: (List<T>) -> R): R =
     if (files.isEmpty()) work(opened) else open(files.first()).use { withAll(files.drop(1), open, opened + it, work) }
 
-/** Returns the files below [folder] with one of these [extensions], sorted, without hidden files and outputs of builds. */
+/** Returns the sorted files below [folder] with one of these [extensions]. Hidden files and outputs of builds are left out. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
 }

@@ -10,8 +10,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
 /**
- * The parts of ARGO around [jar], its `argo.jar`. In a release, the parts are beside the jar; in a source tree, they are in the outputs of
- * Maven.
+ * The parts of ARGO that are installed with [jar], its `argo.jar`. In a release they are beside the jar; in a source tree, they are in the
+ * outputs of Maven.
  */
 internal class Installation(jar: Path) {
     private val file = jar.toAbsolutePath().normalize()
@@ -32,7 +32,7 @@ internal class Installation(jar: Path) {
         return outputOf(module).resolve("classes").toString() + File.pathSeparator + libraries
     }
 
-    /** Returns a class path with Jason and its libraries, which is that of the samples; null: it is missing. */
+    /** Returns the class path of the samples, which contains Jason and its libraries; null: it is missing. */
     fun jason(): String? =
         if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
 

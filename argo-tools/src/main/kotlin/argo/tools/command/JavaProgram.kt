@@ -8,14 +8,14 @@ import java.nio.file.Path
  */
 internal fun runJava(arguments: List<String>): Int = java(arguments).inheritIO().start().awaitEnd()
 
-/** Prepares this program's Java with [arguments] for starting. */
+/** Returns a builder that starts this program's Java with [arguments]. */
 internal fun java(arguments: List<String>): ProcessBuilder {
     val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
-    // jSerialComm loads a native library; newer Java machines warn about that
+    // jSerialComm loads a native library, and newer Java machines warn about that without this option
     return ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments)
 }
 
-/** Waits until this process has ended, and returns its exit status. The end of this program also ends the process. */
+/** Waits until this process has ended, and returns its exit status. If this program ends first, it ends the process too. */
 internal fun Process.awaitEnd(): Int {
     val ending = Thread {
         destroy()

@@ -12,10 +12,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Makes the commands of this line report failures in words, with exit status 1. For wrong arguments the commands refer to the help, with
- * exit status 2.
+ * Makes all commands of this program report failures in words, with exit status 1. For wrong arguments they point to the help, with exit
+ * status 2.
  *
- * @param kind a word for each command of this line: `command`, `sample`
+ * @param kind the word for a command of this program: `command` or `sample`
  */
 fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
@@ -47,7 +47,7 @@ private fun file(name: String): Path = try {
 private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
-    // The missing argument may have been read as an option.
+    // Picocli may report an unknown option as a missing argument.
     val isUnknownOption = wrong is MissingParameterException || wrong is UnmatchedArgumentException && wrong.isUnknownOption
     val unknown = if (isUnknownOption) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
     return when {
@@ -68,10 +68,10 @@ private fun reason(wrong: ParameterException, kind: String): String? {
 /** Ends this command, since its arguments are wrong for [reason]. */
 fun CommandSpec.refuse(reason: String): Nothing = throw ParameterException(commandLine(), reason)
 
-/** Refuses a [value] of [option] outside of [range]. In the message [unit] stands behind the range. */
+/** Refuses a [value] of [option] outside of [range]. The message has [unit] after the range. */
 fun CommandSpec.requireWithin(option: String, value: Int, range: IntRange, unit: String = "") {
     if (value !in range) refuse("$option is from ${range.first} to ${range.last}${if (unit.isEmpty()) "" else " $unit"}, not $value")
 }
 
-/** Refuses a call without one of the subcommands. [kind] is the word for a subcommand. */
+/** Refuses a call that names no subcommand. [kind] is the word for a subcommand. */
 fun CommandSpec.refuseWithout(kind: String): Nothing = refuse("name a $kind: ${subcommands().keys.joinToString()}")

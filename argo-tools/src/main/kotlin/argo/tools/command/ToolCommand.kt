@@ -7,7 +7,7 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** The base of all tools, including those of a [ToolProvider]. The result is the exit status. A [ToolException] fails the command. */
+/** The base of all tools, including those of a [ToolProvider]. [call] returns the exit status, or fails by a [ToolException]. */
 @Command
 abstract class ToolCommand : Callable<Int> {
     /** The command in picocli's form. */
@@ -29,7 +29,7 @@ abstract class ToolCommand : Callable<Int> {
     /** Ends the command with exit status 2, since its arguments are wrong for [reason]. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 
-    /** Returns the user's options, except those called [left], as arguments for another program. */
+    /** Returns the user's options, without those called [left], as arguments for another program. */
     internal fun givenWithout(vararg left: String): List<String> =
         spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
             val name = option.longestName()
@@ -37,7 +37,7 @@ abstract class ToolCommand : Callable<Int> {
         }
 }
 
-/** Puts --help last if a command shows its options in the order of their declaration. */
+/** An order that puts --help last if a command shows its options in the order of their declaration. */
 private const val LAST = 100
 
 /** A tool whose results are data. */
@@ -61,6 +61,6 @@ internal class Paint(private val enabled: Boolean) {
     private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
 }
 
-/** Makes [text] from a board or a file safe for a terminal: control characters, which could command it, become `\u001B` and the like. */
+/** Makes [text] from a board or a file safe to print: control characters, which could command a terminal, become `\u001B` and so on. */
 internal fun printable(text: String): String =
     if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")

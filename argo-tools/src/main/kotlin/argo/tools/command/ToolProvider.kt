@@ -1,8 +1,8 @@
 package argo.tools.command
 
 /**
- * Adds a command to the tools. [java.util.ServiceLoader] finds the class by `META-INF/services/argo.tools.command.ToolProvider`. The class
- * needs a public constructor without arguments.
+ * Adds a command to the tools. [java.util.ServiceLoader] finds the class that `META-INF/services/argo.tools.command.ToolProvider` names.
+ * The class needs a public constructor without arguments.
  */
 interface ToolProvider {
     /** Makes a command for picocli: a `Callable<Int>` whose result is the exit status. */

@@ -4,13 +4,13 @@ import java.io.FilterOutputStream
 import java.io.IOException
 import java.io.OutputStream
 
-/** Records why a write to [target] failed. Neither a [java.io.PrintWriter] nor `System.out` reports the reason. */
+/** Notes why a write to [target] failed: a [java.io.PrintWriter] and `System.out` only report that it failed. */
 internal class WatchedOutput(private val target: OutputStream) : FilterOutputStream(target) {
-    /** The first failure; null: none. */
+    /** The first failed write; null: none has failed. */
     var trouble: IOException? = null
         private set
 
-    /** True if the reader has gone, as in `monitor PORT | head`. The system's message then contains "pipe". */
+    /** Whether the reader of the output has ended, as in `monitor PORT | head`. Then the system's message contains "pipe". */
     val hasReaderGone: Boolean get() = trouble?.message.orEmpty().contains("pipe", ignoreCase = true)
 
     override fun write(byte: Int) = watched { target.write(byte) }

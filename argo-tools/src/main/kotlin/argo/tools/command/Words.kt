@@ -5,13 +5,13 @@ import java.nio.charset.Charset
 /** Returns [count] with [noun] in singular or plural: `1 command`, `17 commands`. */
 fun counted(count: Number, noun: String): String = if (count.toLong() == 1L) "1 $noun" else "$count ${noun}s"
 
-/** Returns the character set of the standard output, which versions of Java tell by different properties. */
+/** Returns the character set of the standard output. Each version of Java has another property for it. */
 fun standardCharset(): Charset {
     val encoding = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull(System::getProperty)
     return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
 }
 
-/** Arranges [rows] below [head] in columns. Returns no lines without rows. */
+/** Returns the lines of a table: [head], and [rows] below it in columns. Without rows, returns no lines. */
 internal fun table(head: List<String>, rows: List<List<String>>): List<String> {
     if (rows.isEmpty()) return emptyList()
     val all = listOf(head) + rows

@@ -5,12 +5,12 @@ import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
 
-/** Checks for the usual causes that keep users from their boards. */
+/** Checks a machine for the usual reasons why users cannot reach their boards. */
 internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    /** Makes all checks and returns their results. If [probe] is given, also probes boards; [probe] opens the port of a name. */
+    /** Makes all checks and returns their results. With [probe], which gets the name of a port, also probes boards. */
     fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
         listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 
@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** Checks the groups of the user's present login. A change of the groups takes effect with the next login. */
+    /** Checks the user's groups in this login. A change of the groups takes effect only at the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null
@@ -109,7 +109,7 @@ internal data class Finding(val level: Level, val what: String, val remedy: Stri
     enum class Level {
         GOOD,
 
-        /** Something may fail that only some users need. */
+        /** A function that only some users need may fail. */
         WARNING,
 
         /** Boards will not work. */

@@ -26,7 +26,7 @@ internal interface Machine {
 
     val hasSocat: Boolean
 
-    /** Returns the serial devices, or the reason why the driver cannot run. */
+    /** Returns the serial devices; fails with the reason if the driver cannot run. */
     fun ports(): Result<List<Device>>
 }
 
@@ -34,7 +34,7 @@ internal interface Machine {
  * A serial device.
  *
  * @property isUsb whether the device is on USB, like boards
- * @property remedy how this user gets permission to open it; null: the user has permission
+ * @property remedy how the user gets permission to open the device; null: the user has permission
  * @property holders the programs that hold the device open
  */
 internal data class Device(val name: String, val isUsb: Boolean, val remedy: String?, val holders: List<String>)

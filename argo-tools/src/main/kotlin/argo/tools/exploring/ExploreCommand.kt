@@ -123,10 +123,10 @@ internal class ExploreCommand : ToolCommand() {
 
         const val NOTHING_KNOWN = 3
 
-        /** The exit status of the exploration's program if it has found a run that breaks a rule. */
+        /** The exploration's program ends with this exit status if it has found a run that breaks a rule. */
         const val FOUND_THERE = 4
 
-        /** The exit statuses with which the exploration's program has printed the reason itself. */
+        /** If the exploration's program ends with one of these exit statuses, it has printed the reason itself. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

@@ -13,9 +13,9 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
 
 /**
- * Returns [classPath] with the test kit. The kit lies beside `argo.jar` in a release, and in Maven's output in the source tree.
+ * Returns [classPath] with the test kit. In a release the kit is beside `argo.jar`; in a source tree it is in the output of Maven.
  *
- * @throws ToolException if the kit is neither there nor on [classPath]
+ * @throws ToolException if the kit is in neither of these places, and not on [classPath]
  */
 internal fun withTestKit(classPath: String): String {
     if (filesOn(classPath).any { it.name.startsWith("argo-testkit") || it.resolve("argo/exploring/Exploration.class").isRegularFile() }) {

@@ -77,7 +77,7 @@ internal class NewCommand : ToolCommand() {
         const val TEST_KIT = "argo-testkit.jar"
         const val MAX_BOARDS = 2
 
-        /** The version in the build's file names. */
+        /** The version in the file names of ARGO's build. */
         const val VERSION = "0.1.0"
     }
 }

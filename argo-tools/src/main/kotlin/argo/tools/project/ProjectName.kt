@@ -1,6 +1,6 @@
 package argo.tools.project
 
-/** A project's name, which is also its folder's. [id] is the name for Jason and Arduino, with `_` for `-` and a lower-case first letter. */
+/** The name of a project and its folder. [id] is the name for Jason and Arduino: it has `_` for `-`, and a lower-case first letter. */
 internal data class ProjectName(val name: String) {
     val id: String get() = name.replace('-', '_').replaceFirstChar(Char::lowercase)
 

@@ -10,7 +10,7 @@ import java.nio.file.Path
 import java.util.PriorityQueue
 
 /**
- * The messages of several recordings, in the order of their times by the first recording's clock. For one thread.
+ * The messages of several recordings, sorted by their times on the first recording's clock. For one thread.
  *
  * @param readers the recordings by their files
  */
@@ -18,7 +18,7 @@ internal class JointMessages(private val readers: Map<Path, McapReader>) {
     /** A message with its file, and its time by the first recording's clock, in ns. */
     class Timed(val file: Path, val ns: Long, val message: McapMessage)
 
-    /** The time by which each recording's clock is ahead of the first one's; null: no messages of agents show it. */
+    /** How far each recording's clock is ahead of the first recording's clock; null: no messages between agents show it. */
     val differences: Map<Path, ClockDifference?> by lazy { differencesOf(readers.keys.toList()) }
 
     /** The time of the first message, in ns; null: there is none. */

@@ -5,7 +5,7 @@ import argo.mcap.McapException
 import argo.mcap.McapMessage
 import argo.mcap.RosMessages
 
-/** The texts of messages, those of ROS 2 in JSON. [problems] has a sentence for each reason why messages cannot be read. */
+/** Returns the texts of messages, as JSON for those of ROS 2. [problems] has a sentence for each reason why some cannot be read. */
 internal class MessageTexts {
     private val found = LinkedHashSet<String>()
     private val types = HashMap<McapChannel, RosMessages?>() // null: the channel's messages are not of ROS 2, or cannot be read

@@ -15,9 +15,9 @@ import java.net.http.HttpRequest.BodyPublishers
 import java.net.http.HttpResponse.BodyHandlers
 import java.time.Duration
 
-/** The live views at [port] of this computer, of the agents of a running program. */
+/** The live views of a running program's agents, at [port] of this computer. */
 internal class RunningViews(private val port: Int) {
-    /** Their address. */
+    /** The address of the views. */
     val address: URI = URI("http://127.0.0.1:$port/")
     private val client = HttpClient.newBuilder().connectTimeout(LIMIT).build()
 
@@ -61,7 +61,7 @@ internal class RunningViews(private val port: Int) {
     private companion object {
         const val DONE = 200
 
-        /** A view has an agent's answer within three seconds. */
+        /** The limit for an answer. A view waits up to three seconds for its agent. */
         val LIMIT: Duration = Duration.ofSeconds(10)
     }
 }

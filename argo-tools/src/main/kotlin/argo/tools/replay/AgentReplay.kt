@@ -9,8 +9,8 @@ import java.nio.file.Path
 /** Replays the agents of the recording [file] as the [options] say. */
 internal class AgentReplay(private val file: Path, private val options: AgentReplayOptions) {
     /**
-     * Returns the result. With a port for debuggers, an agent is paused before the first cycle, until a debugger has it go on; then
-     * [standing] gets its name, and the files of programs that have changed since.
+     * Returns the result. With a port for debuggers, pauses an agent before the first cycle, until a debugger lets it go on. Calls
+     * [standing] with the agent's name, and with the files of programs that have changed since the recording.
      * @throws RecordingException if no part of the recording can be replayed
      */
     fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
@@ -65,7 +65,7 @@ internal class AgentReplay(private val file: Path, private val options: AgentRep
         }
     }
 
-    /** Does [work]. Returns the reason if [work] could not be finished; null: it was finished. */
+    /** Does [work]. Returns null if [work] was finished, otherwise the reason why not. */
     private fun stopping(work: () -> Unit): String? = try {
         work()
         null

@@ -61,7 +61,7 @@ internal class AgentReplayOptions {
     var debugPort: Int? = null
         private set
 
-    /** True if agents run with other programs or another filter than recorded. */
+    /** Whether agents run with other programs, or with another filter, than in the recording. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
     @Option(

@@ -19,9 +19,9 @@ import java.time.Duration
 /**
  * Runs agents of the recording [file] with other programs or another filter, one after the other.
  *
- * @param programs each `AGENT=FILE`, or only a file if there is only one agent
- * @param filter the filter in place of the recorded filters, for all agents if there are no programs; null: the recorded filters
- * @param within the largest difference in time between equal commands
+ * @param programs each is `AGENT=FILE`, or only `FILE` if the recording has only one agent
+ * @param filter the filter that replaces the recorded ones, for all agents if there are no programs; null: the recorded filters
+ * @param within the longest time by which a command may be earlier or later and still count as the same
  */
 internal class AgentWhatIf(
     private val file: Path,
@@ -74,7 +74,7 @@ internal class AgentWhatIf(
 /**
  * The result of [agent] with [what], which is another program or another filter.
  *
- * @property now the number of commands in this run
+ * @property now the number of commands with [what]; [recorded] is that in the recording
  * @property problem the reason why the run could not be finished, in words; null: it was finished
  */
 internal class WhatIfResult(
@@ -118,9 +118,9 @@ internal class WhatIfResult(
     private fun seconds(ns: Long) = secondsIn(ns - firstNs)
 }
 
-/** The results of all agents. [damage] names the unreadable parts of the file. */
+/** The results for all agents. [damage] describes the unreadable parts of the file. */
 internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
-    /** The parts that could not be run or read, a sentence for each. */
+    /** A sentence for each part that could not be run or read. */
     val problems: List<String> get() = damage + results.mapNotNull { it.problem }
 
     /** True if all agents send the recorded commands. */

@@ -17,20 +17,20 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program that runs for seconds. A short program ends before better compilation pays, and needs no threads
- * for garbage collection. A Java machine ignores unknown options among these.
+ * Options of a Java machine for a program that runs for seconds. Such a program ends before better compilation pays off, and needs no
+ * threads for garbage collection. A Java machine ignores those of these options that it does not know.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** Tells the user which parts of the option's [classPath] do not exist, since Java ignores them. */
+/** Tells the user which parts of [classPath], the option's value, do not exist: Java would silently ignore them. */
 internal fun tellAbsent(classPath: String?, err: PrintWriter) {
     val absent = classPath.orEmpty().split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
     if (absent.isNotEmpty()) err.println("of --class-path there is no ${absent.joinToString(" and no ")}")
 }
 
 /**
- * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` means the jars of a
- * folder.
+ * Returns the class path of this program, with [classPath] and Jason added; null: there is no Jason. A part that ends in `*` means all jars
+ * of a folder.
  */
 fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }

@@ -7,17 +7,17 @@ import argo.tools.command.jsonOf
 import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
-/** The beginning of the replay of an [agent] without its first cycles: after the [cycle] that began at [ns]. */
+/** The recording lacks the first cycles of [agent]. Its replay begins after the [cycle] that began at [ns]. */
 internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
 
 /**
  * The result of a replay.
  *
- * @property beginnings the beginnings of agents whose first cycles are missing
+ * @property beginnings where the replay begins for agents whose first cycles are missing
  * @property recordedNs the time from the first cycle to the last replayed one
- * @property refusals the cycles that no replay can have; the replay of their agents has ended before them
+ * @property refusals the cycles that cannot be replayed; each ends the replay of its agent
  * @property beliefs the beliefs of the requested agents
- * @property problems the parts that could not be replayed, a sentence for each
+ * @property problems a sentence for each part that could not be replayed
  */
 internal class ReplayReport(
     private val agents: List<String>,
@@ -34,7 +34,7 @@ internal class ReplayReport(
 ) {
     private val course = differences.filterNot { it.isOfResult }
 
-    /** The first difference of each kind of each agent, with the number of such differences. */
+    /** For each agent and kind of difference in results: the first difference, and the number of such differences. */
     private val results = differences.filter { it.isOfResult }.groupBy { it.agent to it.what }.values.map { it.first() to it.size }
 
     /** True if the agents acted as recorded. */
@@ -42,10 +42,10 @@ internal class ReplayReport(
 
     val isWhole: Boolean get() = refusals.isEmpty()
 
-    /** True if no action or function gave another result. */
+    /** Whether the agents acted as recorded, and all actions and functions gave the recorded results. */
     val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
 
-    /** Returns lines for the user about the recording [name]; with [isCheck], about everything that is not deterministic. */
+    /** Returns the report on the recording [name] for the user; with [isCheck], also on all that is not deterministic. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {

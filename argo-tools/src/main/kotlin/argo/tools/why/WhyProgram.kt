@@ -13,20 +13,20 @@ import java.util.concurrent.TimeUnit
 /**
  * The answer of the tool `why`.
  *
- * @property lines the sentences of the answer, each indented by two blanks for each cause before it. Empty: there is no answer.
- * @property trouble the reason why there is no answer, or the missing parts of the recording; empty: none
+ * @property lines the sentences of the answer. A sentence is indented by two blanks for each cause above it. Empty: there is no answer.
+ * @property trouble the reason why there is no answer, or the parts that the recording lacks; empty: the answer is complete
  */
 class Told(val lines: List<String>, val trouble: String)
 
 /**
- * Asks the tool `why` in a Java machine of its own. A program with running agents cannot replay an agent. A replay sets Jason's counters
- * for all agents of a program, and takes memory and processor time. Answers one question at a time; any thread may ask.
+ * Runs the tool `why` in a Java machine of its own. A program with running agents must not replay an agent itself: a replay sets Jason's
+ * counters for all agents of its program, and takes memory and processor time. Answers one question at a time; any thread may ask.
  *
  * @param patienceS the longest time for an answer, in s
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Asks why [agent] sent its command [number], counted among those to boards, in the recordings [files]. Waits for the answer.
+     * Asks why [agent] sent its command [number] in the recordings [files], and waits for the answer. Only commands to boards are counted.
      * @throws java.io.IOException if no other program can be started
      */
     @Synchronized

@@ -39,7 +39,7 @@ internal class WhyText {
         return lines
     }
 
-    /** Describes the sending of a message. Its time is the one that `replay` shows for the sender's recording. */
+    /** Describes how a message was sent. The time is the one that `replay` shows for the sender's recording. */
     private fun sent(sending: SentCause) {
         val took = sending.delayMs?.let { ", %.1f ms before it was taken".format(it) }.orEmpty()
         val clock = sending.clock?.let { "; compared with the first recording, its clock is $it" }.orEmpty()
