@@ -105,7 +105,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Ends the session, if there is one, and sends nothing more. Commands that are out are unconfirmed. */
+    /** Ends the session, if there is one, and sends nothing more. Commands that were sent but not acknowledged end as unconfirmed. */
     public void close(long now) {
         end(State.CLOSED, now);
     }
@@ -123,11 +123,11 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session follows. */
+    /** Records that a frame of version 1 goes out. The frame ends any session that the board has begun, so another session must follow. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
-        } else { // WELCOME arrived when this frame's turn came
+        } else { // WELCOME arrived just before this frame's turn
             end(State.OPENING, now);
         }
     }
@@ -322,7 +322,7 @@ public final class ComputerSession<C extends SessionCommand> {
     /**
      * The frame to write now; null: there is none. The frame counts as sent; {@link #wrote} must follow.
      *
-     * @param waiting the commands that it may take
+     * @param waiting the commands that the frame may carry
      */
     public WireFrame next(long now, WaitingCommands<C> waiting) {
         if (state == State.OPEN) {
@@ -443,7 +443,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private final class Row {
-        private final boolean isFirst; // no other row is out, so this row may exceed the credit
+        private final boolean isFirst; // no other frame of commands is unacknowledged, so this one may exceed the board's credit
         private String payload = "";
 
         Row(boolean isFirst) {

@@ -3,8 +3,8 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte; longer with each
- * vain repetition. {@link ComputerSession} also repeats frames when the board shows that it has missed something.
+ * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte. Each vain
+ * repetition doubles it, up to a limit. {@link ComputerSession} also repeats frames when the board shows that it has missed something.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
