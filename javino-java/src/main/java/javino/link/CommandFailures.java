@@ -19,7 +19,7 @@ final class CommandFailures {
         this.session = session;
     }
 
-    /** The exception for an outcome; null if the board has carried the command out. */
+    /** The exception for an outcome; null: the board has carried the command out. */
     PortException of(Command command, CommandOutcome outcome) {
         String text = command.text();
         return switch (outcome) {
