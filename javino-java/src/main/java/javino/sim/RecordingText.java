@@ -23,7 +23,7 @@ final class RecordingText {
                         }));
     }
 
-    /** @throws IllegalArgumentException if a backslash begins none of the forms that {@link #write} writes */
+    /** @throws IllegalArgumentException if a backslash does not begin one of the forms that {@link #write} writes */
     static String read(String written) {
         return ESCAPE.matcher(written).replaceAll(escape -> Matcher.quoteReplacement(character(escape.group(1))));
     }

@@ -23,8 +23,7 @@ import java.util.regex.Pattern;
 
 /**
  * A folder with the certificates of boards and of this computer, as PEM files. {@code robot_4433.crt} belongs to the board at
- * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. The files are read each time a port is
- * opened.
+ * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. Each opening of a port reads the files.
  *
  * @param path the folder, which need not exist
  */
