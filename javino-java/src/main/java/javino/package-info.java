@@ -18,7 +18,7 @@
  * <table>
  *   <caption>The exceptions. All are {@link javino.PortException}s, which know the port's name</caption>
  *   <tr><th>exception</th><th>thrown when</th><th>by</th><th>then the port</th></tr>
- *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists those there are</td><td>opening</td>
+ *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists the present ones</td><td>opening</td>
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortBusyException}</td><td>it is open already: {@link javino.PortBusyException#owner()}</td><td>opening</td>
  *     <td>is not open</td></tr>

@@ -31,7 +31,9 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     options.check(CheckedBlock::class.java)
 }
 
-/** Runs all functions [work] at once, each on a thread of its own. Returns when all have ended; throws the exception of one that failed. */
+/**
+ * Runs all functions [work] at once, each on a thread of its own. Returns when all have ended. Throws the exception of a failed function.
+ */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()

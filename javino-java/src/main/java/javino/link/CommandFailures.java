@@ -9,7 +9,7 @@ import javino.session.CommandOutcome;
 import javino.session.ComputerSession;
 import javino.wire.CommandItem;
 
-/** Says to a person why a board has not carried out a command. Guarded by the line's lock. */
+/** Tells a person why a board has not carried out a command. Guarded by the line's lock. */
 final class CommandFailures {
     private final String port;
     private final ComputerSession<Command> session;

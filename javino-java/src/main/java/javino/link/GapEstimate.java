@@ -8,8 +8,8 @@ import java.util.concurrent.TimeUnit;
  * answer has two parts: the time until the board's next read, a random part of its {@code loop()}; and the time to measure and to build the
  * answer, which is about constant. So the differences between delays show how long the loop takes.
  * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more while there are so few delays
- * that their range may be much shorter than the loop. With a probability below n x^(n-1), the range of n random delays is less than the
- * part x of the loop. If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this
+ * that their range may be much shorter than the loop. The range of n random delays is less than the part x of the loop with a probability
+ * below n x^(n-1). If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this
  * probability is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until
  * {@value #MIN_SAMPLES} delays are known, the estimate is this maximum. From {@value #MANY} delays on, the longest is left out; of more
  * delays, one in {@value #OUTLIER_AMONG} at each end. So one stall of this computer does not slow commands down.

@@ -30,7 +30,7 @@ final class Inbox {
 
         default void damaged() {}
 
-        /** A frame of version 1 goes out. */
+        /** Called when a frame of version 1 goes out. */
         default void sendsVersion1(long now) {}
     }
 

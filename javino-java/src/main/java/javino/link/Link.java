@@ -31,7 +31,7 @@ import javino.wire.CommandItem;
 
 /**
  * An open port through which one owner exchanges messages with a board.
- * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one after the other.
+ * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one call after the other.
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the

@@ -10,13 +10,13 @@ import java.nio.charset.StandardCharsets;
  * @param baud the rate at which the bytes were read
  */
 public record StrayBytes(long count, String first, int baud) {
-    /** The most bytes that {@link #first} keeps. */
+    /** The most bytes that {@code first} holds. */
     public static final int MAX_FIRST = 48;
 
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Returns whether almost all of the bytes are text, as if a sketch prints text. Bytes that are read at a wrong rate are no text. */
+    /** Returns whether almost all of the bytes are text, as when a sketch prints text. Bytes that are read at a wrong rate are no text. */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)

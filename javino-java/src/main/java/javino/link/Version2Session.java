@@ -136,7 +136,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether the board owes something besides answers to requests. */
+    /** Returns whether something is awaited from the board besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }

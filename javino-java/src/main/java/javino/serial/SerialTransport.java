@@ -12,7 +12,7 @@ import javino.LineSettings;
 import javino.PortException;
 import javino.PortInterruptedException;
 
-/** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
+/** A serial device, or a pseudo-terminal in place of a device, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
     /** The time for which one read of the driver waits; the driver counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;

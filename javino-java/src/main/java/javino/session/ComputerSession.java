@@ -35,7 +35,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After this number of frames in a row with impossible numbers, the board is taken to have left the current session. */
+    /** So many frames in a row with impossible numbers show that the board has left the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -56,7 +56,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean mustResume;
     private boolean isBusy;
-    private boolean isTimed; // the retransmission timer runs since timerFrom
+    private boolean isTimed; // the retransmission timer has run since timerFrom
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
@@ -88,7 +88,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN;
     }
 
-    /** Returns whether the board owes something besides answers to requests. */
+    /** Returns whether something is awaited from the board besides answers to requests. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
@@ -138,8 +138,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Asks for percepts, again and again, until {@link #cancelRequest} or the report of the answer. Percepts that arrive before the request
-     * has gone out are no answer.
+     * Asks for percepts again and again, until the answer is reported or {@link #cancelRequest} is called. Percepts that arrive before the
+     * request has gone out are not the answer.
      *
      * @param functors empty for all, or {@code (dist,light)}
      */
@@ -152,7 +152,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Takes a frame that has come: WELCOME, or a frame of this session. */
+    /** Handles a frame that has arrived: WELCOME, or a frame of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
@@ -178,8 +178,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version 2. If commands
-     * have already begun in the session of the WELCOME, another computer uses the same nonce.
+     * Handles a WELCOME that arrives while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version
+     * 2. If commands have already begun in the session of the WELCOME, another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -320,7 +320,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * The frame to write now; null: there is none. The frame counts as sent; {@link #wrote} must follow.
+     * The frame to write now; null: there is none. The frame counts as sent; the caller then calls {@link #wrote}.
      *
      * @param waiting the commands that the frame may carry
      */

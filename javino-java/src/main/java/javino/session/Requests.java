@@ -7,8 +7,8 @@ import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes twice the smoothed time of answers.
- * The first answer to any request sent since the last answer is taken.
+ * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes longer than twice the smoothed time of
+ * earlier answers. The first answer to any request sent since the last answer is taken.
  */
 final class Requests {
     private static final int NUMBERS = 255;

@@ -108,7 +108,7 @@ public final class BoardLoop {
         handleNext();
     }
 
-    /** Waits for bytes unless a message is there. Takes all bytes that have arrived at the end of the wait. */
+    /** Waits for bytes, unless a message waits to be handled. Then takes all bytes that have arrived. */
     void receive(int timeoutMillis) throws PortException {
         board = Thread.currentThread();
         boolean waits = arrived.isEmpty();

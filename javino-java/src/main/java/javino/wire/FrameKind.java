@@ -12,7 +12,7 @@ public enum FrameKind {
     DESCRIBE(0x28),
     /** Commands. The first command has the frame's number, and each further command the next number. */
     COMMANDS(0x30),
-    /** Like {@link #COMMANDS}; the computer has also seen that the last command was refused. */
+    /** Like {@link #COMMANDS}, and tells the board that the computer has seen the refusal of a command. */
     COMMANDS_WITH_RESUME(0x31),
 
     /** The answer to {@link #HELLO}, or "no session". */

@@ -4,7 +4,7 @@ import javino.LineSettings
 import javino.wire.WireFrame
 import kotlin.random.Random
 
-/** The durations that docs/real-time.md bounds. */
+/** The durations for which docs/real-time.md gives bounds. */
 internal enum class Bounded(val words: String) {
     ANSWER("an answer"),
     PARTS("an answer, rules on the board"),
@@ -17,7 +17,7 @@ internal enum class Bounded(val words: String) {
 }
 
 /**
- * A line, a board and the work on them.
+ * A line, a board and the messages between them.
  *
  * @property intervalMs the sensing interval
  * @property percepts number of the board's percepts that are not measured; each holds a number of [digits] digits

@@ -30,7 +30,7 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
     /** The violations, in words: commands that were carried out wrongly or out of order, or confirmed but not carried out. */
     val wrong = mutableListOf<String>()
 
-    /** Answers that the computer believed although the board did not send them. */
+    /** The answers that the computer accepted although the board did not send them. */
     val corruptBelieved = mutableListOf<String>()
 
     val confirmations: Int get() = confirmed.count { it }
