@@ -31,9 +31,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     options.check(CheckedBlock::class.java)
 }
 
-/**
- * Runs all functions [work] at once, each on a thread of its own. Returns when all have ended. Throws the exception of a failed function.
- */
+/** Runs all of [work] at once, each function on a thread of its own. Returns when all have ended; throws the exception of a failed one. */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()

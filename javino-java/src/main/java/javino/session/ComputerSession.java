@@ -358,7 +358,7 @@ public final class ComputerSession<C extends SessionCommand> {
         if (requests.bytes() > 0) {
             silentRepetitions++; // the request before this one has no answer yet
         } else if (window.size() == 0) {
-            heardAt = now; // nothing has been awaited
+            heardAt = now; // until now nothing was awaited
         }
         return requests.next(welcome.longestPayload(), nonce);
     }
@@ -412,7 +412,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame commands(long now, WaitingCommands<C> waiting) {
         if (isSettled()) {
-            heardAt = now; // nothing has been awaited
+            heardAt = now; // until now nothing was awaited
         }
         Row row = new Row(isSettled());
         int first = window.size();

@@ -37,7 +37,7 @@ final class Requests {
     private int doublings;
     private long dueAt;
     private long leftAt;
-    private long smoothedNanos; // 0: none has been timed
+    private long smoothedNanos; // smoothed time of the answers; 0: no answer has been timed
     private long lastByteAt;
     private int bytes; // length of the newest request; 0: it is answered
 

@@ -79,7 +79,7 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page. Returns false if the wanted page has no action although some are missing. */
+    /** Takes a page. Returns false if the wanted page has no action although some are still unknown. */
     boolean accept(VocabularyPage page, long now) {
         if (!asks() || page.first() != actions.size()) {
             return true;
