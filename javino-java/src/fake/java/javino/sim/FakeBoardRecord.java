@@ -18,7 +18,7 @@ final class FakeBoardRecord {
     private final long madeNanos;
     private final List<ReceivedMessage> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
-    private final List<String> unaccounted = new ArrayList<>(); // messages that no rule covers, nobody expected, and no test took
+    private final List<String> unaccounted = new ArrayList<>(); // not covered by a rule, not expected, not taken yet
     private final List<String> expected = new ArrayList<>();
 
     FakeBoardRecord(String port, FakeBoardMonitor monitor, LineClock clock) {

@@ -20,7 +20,8 @@ final class Version1Commands {
     private boolean isWritten; // true: the command under way is written, and its last byte leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent commands went out (Version1SilenceHold), so its arrival does not prove that others arrive
+    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival does not prove that
+    // others arrive
     private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board has not been asked for anything
     private boolean hasToldSlowBoard;

@@ -22,7 +22,7 @@ final class Version1Requests {
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked because an action is to be sent; nobody wants the answer
-    private Reply overheard; // the answer to a request that was made because of an action, kept for a caller that listens; null: none
+    private Reply overheard; // answer to a request because of an action, kept for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
@@ -111,7 +111,7 @@ final class Version1Requests {
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repeated request would drop the bytes that have come
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop what has come
         }
         return answer;
     }

@@ -36,7 +36,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private long receivedNanos; // time of the last frame
     private volatile Reply answer;
     private volatile Reply heard; // the newest percepts that came unasked
-    private long askedBehind; // number of bytes written before the request for percepts; NONE: the request has not gone out
+    private long askedBehind; // bytes written before the request for percepts; NONE: the request has not gone out
     private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
     private Throwable

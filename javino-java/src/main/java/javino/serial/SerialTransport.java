@@ -88,7 +88,7 @@ final class SerialTransport extends DriverTransport {
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
         boolean slice =
-                nanos >= SLICE_NANOS - MILLI_NANOS; // less 1 ms, so that almost a whole slice counts as one
+                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so that a read of almost a slice counts as a whole one
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();

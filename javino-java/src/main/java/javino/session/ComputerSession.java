@@ -443,7 +443,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private final class Row {
-        private final boolean isFirst; // no other frame of commands is unacknowledged, so this one may exceed the board's credit
+        private final boolean isFirst; // all other commands are acknowledged, so this frame may exceed the credit
         private String payload = "";
 
         Row(boolean isFirst) {

@@ -43,7 +43,7 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // protocol version of the message that was handled last
-    // the clock of the receiver: the sum of all silences, so that bytes that waited for this thread do not count as late
+    // the receiver's clock: the sum of all silences, so bytes that waited for this thread do not count as late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;

@@ -24,7 +24,7 @@ final class HeldRules {
         }
     }
 
-    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // the frame CRITICAL also holds the rule's number and the outcome
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule and an outcome
 
     private final int capacity;
     private final Map<Integer, Watched> rules = new TreeMap<>(); // by the rule's number

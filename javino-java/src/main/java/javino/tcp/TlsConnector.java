@@ -50,7 +50,7 @@ final class TlsConnector {
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before the board is contacted
+            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before the board is called
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);

@@ -97,7 +97,7 @@ public record TlsFolder(Path path) {
             byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
             return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
         } catch (GeneralSecurityException e) {
-            throw new IllegalStateException(e); // cannot happen: every Java has SHA-256, and the certificate was decoded from this encoding
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate was read in this encoding
         }
     }
 

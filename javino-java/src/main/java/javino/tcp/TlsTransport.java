@@ -50,7 +50,7 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // even if the farewell fails, so that the far end gets the earlier bytes
+                drain(plain, plain.getInputStream()); // even after a failed farewell, so that earlier bytes arrive
             }
         } catch (IOException e) {
             noteHaste(e);
