@@ -411,7 +411,7 @@ private:
 
   void (*look_)(JavinoBoard &); /* Calls perceive_. */
   Callback perceive_;
-  void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise the link, so that code is not linked. */
+  void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise the link. Then the code for it is not linked. */
   Callback lost_;
   unsigned long silence_ms_;
   Hook hook_;

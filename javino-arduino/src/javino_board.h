@@ -65,9 +65,9 @@ enum {
     JAVINO_RULES_PERCEPT, /**< A percept has been written. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the rules send it, not the board. */
     JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: an answer is being sent in parts. */
-    JAVINO_RULES_END,     /**< A request is in hand, so the rest of an answer in parts goes out. True: rules leave the new answer less
-                               memory. */
-    JAVINO_RULES_ALL      /**< The rest of an answer in parts goes out, at any time. */
+    JAVINO_RULES_END,     /**< A request is in hand, so the remaining parts of the answer before it go out. True: rules leave the new
+                               answer less memory. */
+    JAVINO_RULES_ALL      /**< At any time: the remaining parts of an answer go out. */
 };
 
 /** A board. The members are private except link, which is for functions such as javino_link_receive. */

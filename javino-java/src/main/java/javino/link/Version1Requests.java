@@ -22,7 +22,7 @@ final class Version1Requests {
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked because an action is to be sent; nobody wants the answer
-    private Reply overheard; // answer to a request because of an action, kept for a caller that listens; null: none
+    private Reply overheard; // answer to a request that an action needed, kept for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;

@@ -157,7 +157,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
-        boolean interrupted = Thread.interrupted(); // so that an interrupted thread closes the port as carefully as any
+        boolean interrupted = Thread.interrupted(); // so that an interrupted thread, too, closes the port carefully
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         boolean readingEnded = false;

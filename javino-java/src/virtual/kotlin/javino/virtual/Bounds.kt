@@ -46,7 +46,7 @@ internal data class BoundsCase(
     }
 }
 
-/** The bounds of docs/real-time.md for [course], in ns. The computer itself takes no time in them. */
+/** The bounds of docs/real-time.md for [course], in ns. They contain no time of the computer. */
 internal class Bounds(private val course: BoundsCase) {
     private val times = course.times
     private val look = if (course.hasRules) times.ruleSensors else 0
