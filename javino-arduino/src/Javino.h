@@ -24,8 +24,8 @@
 #include "JavinoBoard.h"
 
 /**
- * A board with this many bytes of memory: for incoming bytes, for an answer and for the table of actions. At least JAVINO_MEMORY_MIN. A
- * message that is longer than the rest of the memory is not received.
+ * A board with this many bytes of memory, at least JAVINO_MEMORY_MIN. The memory holds incoming bytes, an answer and the table of actions.
+ * A message that does not fit into the rest of the memory is not received.
  */
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
@@ -33,14 +33,14 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. It can also be a board on a stream that has no rate and that
-   * the sketch opens, such as a WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream without a rate, which the sketch
+   * opens, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /** Opens the board's port, if it can be opened, and begins the conversation. The far end must use the same rate, in baud. */
+  /** Opens the board's port, unless the sketch has to open it. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
-    /* Serial by name: for a constant rate the compiler then computes the port's settings. */
+    /* Named directly, so that for a constant rate the compiler computes the port's settings. */
     if (open_)
       open_(stream_, baud);
     else
@@ -48,7 +48,7 @@ public:
     setTimeLimit(JAVINO_TIMEOUT_MS(baud));
   }
 
-  /** Like start(), under the name in other libraries. */
+  /** The same as start(), as other libraries call it. */
   void begin(unsigned long baud = 9600) { start(baud); }
 
 private:

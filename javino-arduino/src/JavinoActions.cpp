@@ -1,4 +1,4 @@
-#ifdef ARDUINO /* elsewhere there is only the core in C */
+#ifdef ARDUINO /* on other systems, only the core in C is compiled */
 
 #include "JavinoActions.h"
 
@@ -76,7 +76,7 @@ static bool begins(const char *name, const char *text, uint8_t length) {
   return true;
 }
 
-/** Carries an action out, unless the text may be cut and a longer action begins with it. */
+/** Carries an action out, unless the text may be cut and a longer name begins with it. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();

@@ -11,7 +11,7 @@ class JavinoBoard;
 
 /**
  * The actions that a board knows, by name. Actions lie in the board's memory, seven bytes each on AVR. Only a name that is a String takes
- * heap. A name in flash, F("ledOn"), is copied into the board's memory, so give it before anything has arrived. Other names are not copied,
+ * heap. A name in flash, F("ledOn"), is copied into the board's memory, so register it before anything arrives. Other names are not copied,
  * so they must last.
  */
 class JavinoActions {
@@ -25,7 +25,7 @@ public:
   /** Any number of arguments. */
   static const uint8_t ANY = JAVINO_ANY;
 
-  /** `act["ledOn"]`: the place of one action. The name is a text, a String, or a text in flash. */
+  /** The result of `act["ledOn"]`: a place for one action. The name is a text, a String, or a text in flash. */
   template <typename Name> class Place {
   public:
     Place(JavinoActions &actions, Name name) : actions_(actions), name_(name) {}
@@ -47,7 +47,7 @@ public:
     /** Says in a compile error what to write for any other function. */
     template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
 
-    /** Carries the action out, if it exists. */
+    /** Carries the action out, if there is one of this name. */
     void operator()() const { actions_.carryOut(name_); }
 
   private:
@@ -67,8 +67,8 @@ public:
   uint8_t count() const { return count_; }
 
   /**
-   * Returns true if an action has been left out: the memory was full (JavinoSized has more), JAVINO_ACTIONS_MAX actions were there, its
-   * name is longer than JAVINO_NAME_MAX, or percepts had been written before.
+   * Returns true if an action has been left out, because the memory was full (JavinoSized can have more), there were JAVINO_ACTIONS_MAX
+   * actions, the name was longer than JAVINO_NAME_MAX, or percepts had been written before.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 
@@ -77,7 +77,7 @@ private:
 
   struct Action;
 
-  /** Calls an action's function. False: the function refuses the action. */
+  /** Calls an action's function. Returns false if the function refuses the action. */
   typedef bool (*Caller)(Function function, JavinoBoard &board, const JavinoArguments &arguments);
 
   struct Action {
@@ -88,12 +88,12 @@ private:
 
   enum Outcome : uint8_t {
     DONE,
-    REFUSED,  /* the action's function has refused */
+    REFUSED,  /* the action's function has refused it */
     UNKNOWN,  /* there is no such action, or it takes another number of arguments */
-    UNCERTAIN /* a longer text that begins with this one could be another action */
+    UNCERTAIN /* the text may be cut, and another action begins with it */
   };
 
-  /** Does not compile. The compiler's error says what to write. */
+  /** A call of this function does not compile; the error message says what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
@@ -134,7 +134,7 @@ private:
 
   /**
    * Carries out an action. Null while no function takes the board or arguments. `found` is the action whose name is the whole text, or
-   * null; `certain`: the text is known to be whole.
+   * null. `certain` is true if the text is known to be whole.
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
@@ -147,7 +147,7 @@ private:
 
   JavinoBoard &board() const { return *static_cast<JavinoBoard *>(board_->link.encoder.context); }
 
-  /** @name Callers of functions that return bool, or void if they carry everything out. */
+  /** @name Callers of functions. A function returns bool, or void if it never refuses. */
   ///@{
   template <typename... Given> static bool isDone(bool (*function)(Given...), Given... given) { return function(given...); }
   template <typename... Given> static bool isDone(void (*function)(Given...), Given... given) {
@@ -198,19 +198,19 @@ private:
     return REFUSED;
   }
 
-  /** Tells the link the distance between two actions. */
+  /** Tells the link the distance between two actions in memory. */
   void begin() { board_->link.action_size = sizeof(Action); }
 
   /** The newest action; older ones lie behind it. */
   const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
 
   javino_board *board_;
-  /* Null until an action needs it: other sketches do not link the code. */
+  /* Null until an action needs a reader: other sketches do not link that code. */
   Reader reader_;
-  Reader known_;     /* Kept here, instead of in reader_, while unknown_ is set. */
-  Function unknown_; /* Called for unknown actions. */
+  Reader known_;     /* The reader of known actions while unknown_ is set; else it is in reader_. */
+  Function unknown_; /* The function for unknown actions. */
   uint8_t count_;
-  bool described_; /* True: computers are told the actions. */
+  bool described_; /* True: the board describes its actions to computers. */
 };
 
 #endif

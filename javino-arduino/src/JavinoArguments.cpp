@@ -1,4 +1,4 @@
-#ifdef ARDUINO /* elsewhere there is only the core in C */
+#ifdef ARDUINO /* on other systems, only the core in C is compiled */
 
 #include "JavinoArguments.h"
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-/** Walks over the characters of an argument, without its quotes and escapes. */
+/** Iterates over the characters of an argument, without its quotes and escapes. */
 class Characters {
 public:
   Characters(const char *literal, uint8_t length, uint8_t index) : next_(literal) {
@@ -37,12 +37,12 @@ private:
 };
 
 #ifndef JAVINO_NO_DECIMALS
-/** The digits of a number, as many as a double holds, and a power of ten. */
+/** A number as a mantissa, with as many digits as a double holds, and a power of ten. */
 class Decimal {
 public:
   Decimal() : mantissa_(0), digits_(0), exponent_(0) {}
 
-  /** Appends the digits that begin here. @return their number */
+  /** Appends the digits at the beginning of the text. @return how many there were */
   uint8_t append(const char **text, const char *end, bool decimals) {
     uint8_t n = 0;
     for (; *text < end && **text >= '0' && **text <= '9'; n++, (*text)++) {
@@ -66,7 +66,7 @@ public:
   /** Returns the value of a number that fits; 0: the number is too small. */
   double value() const {
     double power = 1;
-    /* A power that is too large is infinity; a number divided by infinity is 0. */
+    /* A power that is too large becomes infinity, and a number divided by infinity is 0. */
     for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
       power *= 10;
     return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;

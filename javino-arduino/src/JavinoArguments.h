@@ -4,7 +4,7 @@
 #include <Arduino.h>
 #include <string.h>
 
-/** Declares a copy of a text in flash, on the stack: no heap is needed. */
+/** Declares `copy`, a copy on the stack of a text in flash. It needs no heap. */
 #define JAVINO_COPY(copy, in_flash) \
   char copy[strlen_P(reinterpret_cast<const char *>(in_flash)) + 1]; \
   memcpy_P(copy, reinterpret_cast<const char *>(in_flash), sizeof copy)
@@ -15,7 +15,7 @@
  */
 class JavinoArguments {
 public:
-  /** Reads the arguments of a well-formed literal; the text is not copied. */
+  /** The arguments of a well-formed literal. The text is not copied. */
   JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
 
   /** The number of arguments. */
@@ -24,11 +24,11 @@ public:
   /** Returns true if the argument exists and is a whole number that fits into a long. */
   bool isNumber(uint8_t index) const;
 
-  /** Returns the whole number; `otherwise`: there is none. */
+  /** Returns the argument if it is a whole number that fits into a long, else `otherwise`. */
   long number(uint8_t index, long otherwise = 0) const;
 
 #ifndef JAVINO_NO_DECIMALS
-  /** Returns the number, perhaps with decimals and exponent; `otherwise`: there is none. Never infinity or NaN; a string is no number. */
+  /** Returns the argument if it is a number, perhaps with decimals and exponent, else `otherwise`. Never returns infinity or NaN. */
   double decimal(uint8_t index, double otherwise = 0) const;
 #endif
 
@@ -39,12 +39,12 @@ public:
   /**
    * Copies an argument, and ends it with a zero. A string loses its quotes.
    *
-   * @param size  the bytes that `to` holds; a longer text is cut off
+   * @param size  the size of `to` in bytes; a longer text is cut off
    * @return the length of the whole argument, without the zero; 0: there is no such argument
    */
   size_t copy(uint8_t index, char *to, size_t size) const;
 
-  /** Returns the argument's text, a string without its quotes. Uses the heap. */
+  /** Returns the argument's text; a string loses its quotes. Uses the heap. */
   String text(uint8_t index) const;
 
 private:

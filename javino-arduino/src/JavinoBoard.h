@@ -1,4 +1,4 @@
-/** @file A board of the Arduino family: the common part of Javino.h (for serial ports) and JavinoNetwork.h. */
+/** @file A board of the Arduino family: what Javino.h (for serial ports) and JavinoNetwork.h have in common. */
 #ifndef JAVINO_BOARD_CLASS_H
 #define JAVINO_BOARD_CLASS_H
 
@@ -11,7 +11,7 @@
 
 #ifndef JAVINO_BYTES
 #if defined(RAMEND) && RAMEND < 0x0900
-/* 2 KiB of RAM: room for the longest received frame and, besides a request, for an answer of 255 bytes. */
+/* 2 KiB of RAM: room for the longest frame, or for a request and an answer of 255 bytes. */
 #define JAVINO_BYTES 368
 #else
 #define JAVINO_BYTES 640
@@ -22,7 +22,7 @@
 #define JAVINO_LIBRARY_VERSION 100
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number, and how many decimals to write: see decimals(). */
+/** A number, and the number of decimals to write: see decimals(). */
 struct JavinoDecimals {
   double value;
   uint8_t digits;
@@ -35,7 +35,7 @@ inline JavinoDecimals decimals(double value, uint8_t digits) {
 }
 #endif
 
-/** A text to be written as a string: see quoted(). */
+/** A text that is written as a string: see quoted(). */
 struct JavinoQuoted {
   const char *text;
 };
@@ -56,17 +56,17 @@ class JavinoCounters {
 public:
   unsigned long frames;  /**< Intact frames that have arrived. */
   unsigned long damaged; /**< Damaged frames of version 2, which were dropped. Version 1 has no checksums. */
-  /** How often the port's receive buffer was found full: bytes may have been lost. 0 if the buffer's size is not known. */
+  /** How many times the port's receive buffer was full, so that bytes may have been lost. 0 if the buffer's size is not known. */
   unsigned long overruns;
-  unsigned long longestLoop; /**< The most milliseconds between two looks for messages: a round of loop(), or a callback. */
+  unsigned long longestLoop; /**< The most milliseconds between two looks for messages: the longest round of loop(), or callback. */
 
   JavinoCounters() : frames(0), damaged(0), overruns(0), longestLoop(0) {}
 
 private:
   friend class JavinoBoard;
-  void (*hook_)(JavinoBoard &); /* The board's hook, called after counting. */
+  void (*hook_)(JavinoBoard &); /* The hook that the board had before; called after counting. */
   unsigned long look_ms_;                    /* The time of the board's last look for messages. */
-  uint8_t frames_;                           /* The counts of the core at the last look. */
+  uint8_t frames_;                           /* The link's count of frames at the last look; below, that of damaged frames. */
   uint8_t damaged_;
 };
 
@@ -74,8 +74,8 @@ private:
 typedef javino_later JavinoLater;
 
 /**
- * A board on a line. Use Javino or JavinoNetwork; for another amount of memory, JavinoSized or JavinoNetworkSized. No function is called
- * from an interrupt. Only a write to a line with a full buffer waits; bytes that arrive in that time are kept.
+ * A board on a line. Use Javino or JavinoNetwork; for another amount of memory, JavinoSized or JavinoNetworkSized. Registered functions
+ * never run in an interrupt. Only a write to a line with a full buffer waits; bytes that arrive in that time are kept.
  */
 class JavinoBoard {
 public:
@@ -83,15 +83,15 @@ public:
   typedef void (*Callback)();
 
   /**
-   * Like Callback, but gets the board, of any class. So one function can serve several boards, and a class derived from a board finds its
-   * members with `static_cast<Robot &>(board)`.
+   * Like Callback, but gets the board. So one function can serve several boards. If the board is of a derived class, the function reaches
+   * the members of that class with `static_cast<Robot &>(board)`.
    */
   typedef JavinoActions::BoardFunction BoardCallback;
 
-  /** Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms, below 2000 baud 20 byte times. */
+  /** Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms; below 2000 baud, 20 byte times. */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
-  /** Takes the bytes that have arrived. run() and availableMsg() do this too, so a sketch works without serialEvent(). */
+  /** Takes the bytes that have arrived. run() and availableMsg() do this too, so a sketch needs no serialEvent(). */
   void readSerial() { receive(); }
 
   /** @name Callbacks */
@@ -99,8 +99,8 @@ public:
 
   /**
    * Handles all messages that have arrived: answers requests for percepts, carries out actions, reports a lost link. Refuses unknown
-   * actions; in version 1 ignores them. Call it in every loop(). Within a callback, run() only takes the bytes that have arrived, so a long
-   * callback loses none. Requests and actions, even `stop`, wait until the callback has returned. See later().
+   * actions; in version 1 ignores them. Call run() in every loop(). Called within a callback, run() only takes the bytes that have arrived,
+   * so that a long callback loses no bytes. Requests and actions, even `stop`, wait until the callback has returned. See later().
    */
   void run();
 
@@ -121,12 +121,12 @@ public:
   /**
    * Registers the function for an action with arguments.
    *
-   * @param name       the functor. It is not copied, so it must last. Only a name in flash is copied into the board's memory, so give it
-   *                   before anything has arrived
-   * @param function   takes the board, the arguments, both in this order, or neither. If it takes no arguments, an action that has some is
-   *                   refused. The function returns `void`, or `bool`: false refuses the action
-   * @param arguments  the number of arguments. With another number the action is refused, and the function is not called
-   * @return false if the action is left out: see JavinoActions::full()
+   * @param name       the functor. It is not copied, so it must last. But a name in flash is copied into the board's memory, so
+   *                   register it before anything arrives
+   * @param function   takes the board, the arguments, both in this order, or neither. If it does not take the arguments, an action with
+   *                   arguments is refused. The function returns `void` or `bool`; false refuses the action
+   * @param arguments  the number of arguments. An action with another number is refused, and the function is not called
+   * @return false: the action is left out, see JavinoActions::full()
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
@@ -150,7 +150,7 @@ public:
   bool onAction(const char *name, bool (*function)(JavinoBoard &)) {
     return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<bool>);
   }
-  /** Says in a compile error what to write for any other function. */
+  /** For any other function: a compile error that says what to write. */
   template <typename Result, typename... Given> bool onAction(const char *, Result (*function)(Given...), uint8_t = JavinoActions::ANY) {
     return JavinoActions::explain(function);
   }
@@ -161,36 +161,36 @@ public:
   }
 
   /**
-   * Registers the function for unknown actions and for actions with a wrong number of arguments. Without it such an action is refused, and
-   * `argo.act` fails with `error(act_refused)`. In version 1, which has no outcomes, nothing happens.
+   * Registers the function for unknown actions and for actions with a wrong number of arguments. Without such a function, they are refused,
+   * and `argo.act` fails with `error(act_refused)`. In version 1, which has no outcomes, nothing happens.
    *
-   * While it is set, the board does not describe its actions to computers: ARGO sends a board only described actions. So every action
-   * arrives as text, and can reach the function.
+   * While a function is registered, the board does not describe its actions to computers, since ARGO would then send only described
+   * actions. So every action arrives as text, and can reach the function.
    *
-   * @param function  gets the action's whole text, such as `fly(3)`, valid until it returns. If it returns `void`, the action is refused.
-   *                  If it returns `bool`, true means that it has carried the action out. NULL: none
+   * @param function  gets the action's whole text, such as `fly(3)`, which is valid until the function returns. If the function returns
+   *                  `void`, the action is refused. If it returns `bool`, true means that it has carried the action out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
   /** The same for a function that returns bool. It is a template so that NULL counts as a function that returns void. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
-   * Call it in an action's function to report the outcome later, with done(). The function returns at once, and its result is ignored. The
-   * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until done() is called, no other
-   * action of version 2 is carried out, not even an urgent one. So if another action must be able to stop this action, report this one as
-   * carried out when it begins. A percept can later report its end.
+   * Call later() in an action's function to report the outcome later, with done(). The function then returns at once, and its result is
+   * ignored. Meanwhile the board answers requests, for example while a gripper closes. ARGO's `argo.act` waits for the outcome. Until
+   * done() is called, no other action of version 2 is carried out, not even an urgent one. So if another action must be able to stop this
+   * action, report this action as carried out when it begins. A percept can later tell that it has ended.
    *
    * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
    */
   JavinoLater later() { return javino_link_later(&board_.link); }
 
-  /** Reports whether an action that called later() was carried out. @return false: a new session has begun, so nobody waits for it */
+  /** Reports whether an action that called later() was carried out. @return false: nobody waits for the outcome, as after a new session */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. The function can stop motors
-   * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() count
-   * as arrived at its beginning (javino_link_lost). Only a watchdog notices a loop() that never returns.
+   * Registers a function that is called if nothing valid has arrived for `ms` milliseconds; with 0, it is never called. The function can
+   * stop motors if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long
+   * loop() count as arrived at its beginning (javino_link_lost). Only a watchdog notices a loop() that never returns.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
@@ -204,7 +204,7 @@ public:
     supervise_ = ms && function ? loseWithBoard : NULL;
   }
 
-  /** Counts incoming frames and the time of loop() from now on. The counters must last. Sketches without this call do not link the code. */
+  /** Begins to count incoming frames and the time of loop(). The counters must last. Sketches without this call do not link the code. */
   void countInto(JavinoCounters &counters) {
     counters.frames_ = board_.link.frames;
     counters.damaged_ = board_.link.decoder.damaged;
@@ -219,13 +219,13 @@ public:
 
   /**
    * Lets the board itself watch critical rules, which the computer sets. When a rule begins to be met, its reflex is carried out at once,
-   * within a run(). The function of perceive() is called up to every 5 ms for the percepts that the rules name. The function should read no
-   * sensor that wants() does not ask for. A reflex's action is called within percept().
+   * within run(). At most every 5 ms, the function of perceive() is called for the percepts that the rules name. The function should read
+   * only sensors for which wants() returns true. The action of a reflex is called within percept().
    *
-   * Call it in setup(), before anything arrives. A sketch without this call does not link the code.
+   * Call watchRules() in setup(), before anything arrives. A sketch without this call does not link the code.
    *
-   * @param bytes  the part of the board's memory for the rules; one rule takes some 20 bytes
-   * @return false if there is too little memory, something has arrived, or version 2 is left out
+   * @param bytes  how much of the board's memory is for the rules; one rule takes some 20 bytes
+   * @return false: there is too little memory, something has arrived, or version 2 is left out
    */
   bool watchRules(uint8_t bytes = 96) {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -246,9 +246,9 @@ public:
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
    * @param functor  an atom, perhaps with a ~ in front
-   * @param terms    whole numbers, also of 64 bits; numbers with two decimals, or as many as decimals() says; true and false; text, written
-   *                 as an atom if it is one, else as a string
-   * @return false: the percept will not be sent; it is longer than a frame, or the memory is full and no request is in hand
+   * @param terms    whole numbers of up to 64 bits; numbers with two decimals, or with as many as decimals() says; true and false; text,
+   *                 written as an atom if it is one, else as a string
+   * @return false: the percept will not be sent, as it is longer than a frame, or the memory is full and no request is in hand
    */
   template <typename... Terms> bool percept(const char *functor, Terms... terms) {
     return javino_percept_begin(&board_, functor) ? write(terms...) : true;
@@ -263,8 +263,8 @@ public:
   bool addPercept(const __FlashStringHelper *text);
 
   /**
-   * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call it for each kind, in the function of perceive(). It
-   * writes only if a computer of version 2 asks for the description, which is rare; wants() is then false for all percepts.
+   * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call describe() for each kind, in the function of
+   * perceive(). It writes only if a computer of version 2 asks for the description, which is rare. Then wants() is false for all percepts.
    *
    * @param kind  a functor, and for each argument `_` (anything), a choice (`front|left`, `0|1`), or a number's unit, if any, and range
    *              (`cm 0..400`, `-40..125`, `% ..`); at most 250 bytes
@@ -272,11 +272,11 @@ public:
    */
   bool describe(const __FlashStringHelper *kind);
 
-  /** Returns true if the request in hand asks for percepts of this functor; if not, do not read the sensor. */
+  /** Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;
 
-  /** Sends the written percepts as the answer. run() does so itself after the function of perceive(). */
+  /** Sends the written percepts as the answer. run() itself does so after it has called the function of perceive(). */
   void sendPercepts() { javino_board_answer(&board_); }
 
   /** Forgets the percepts that have been written. */
@@ -286,10 +286,10 @@ public:
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /** Looks for the next message; the previous action counts as carried out. In a callback it only takes bytes, and returns false. */
+  /** Looks for the next message; the previous action counts as carried out. Within a callback, only takes bytes, and returns false. */
   bool availableMsg();
 
-  /** Returns the message's text: an action, or getPercepts for a request. Empty: there is none. Uses the heap. */
+  /** Returns the message's text: an action, or getPercepts for a request. Empty: there is no message. Uses the heap. */
   String getMsg() const;
 
   /** Returns true if the message asks for percepts. */
@@ -304,10 +304,10 @@ public:
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. Sends all percepts in the message, whichever functors
-   * the request names.
+   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. All these percepts are sent, whichever functors the
+   * request names.
    *
-   * @return false: version 1 cannot send a percept of this length
+   * @return false: a percept is too long for version 1
    */
   bool sendMsg(const char *text) { return javino_board_send(&board_, text, strlen(text)); }
   bool sendMsg(const String &text) { return javino_board_send(&board_, text.c_str(), text.length()); }
@@ -322,16 +322,16 @@ public:
   ///@}
 
 protected:
-  /** Opens a port at this rate. */
+  /** Opens a port with this baud rate. */
   typedef void (*Open)(Stream &port, unsigned long baud);
 
-  /* Only for the compiler: `Javino javino = Javino();` needs a copy constructor, and copies nothing. */
+  /* Only for the compiler: `Javino javino = Javino();` needs a copy constructor but does not call it. */
   JavinoBoard(const JavinoBoard &);
 
   /** A board on this stream. The memory is aligned for pointers. */
   JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size);
 
-  /** Forgets the received part of a message, whose rest will not come. */
+  /** Forgets an incomplete message, as its rest will not come. */
   void forgetPart() {
     javino_decoder *decoder = &board_.link.decoder;
     uint8_t session = decoder->session;
@@ -345,7 +345,7 @@ protected:
 private:
   JavinoBoard &operator=(const JavinoBoard &);
 
-  /** A hook for code that most sketches do not link. Called before the search for messages. */
+  /** A hook for code that most sketches do not link. It is called before each search for messages. */
   typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);
@@ -405,21 +405,21 @@ private:
   void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
-  /* Deleted: any other pointer would count as a truth value. */
+  /* Deleted: any other pointer would be taken for a bool. */
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
   void (*look_)(JavinoBoard &); /* Calls perceive_. */
   Callback perceive_;
-  void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise its link, and does not link the code. */
+  void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise the link. Then the code for it is not linked. */
   Callback lost_;
   unsigned long silence_ms_;
   Hook hook_;
   JavinoCounters *counters_;
-  int free_;                                  /* The port's room for bytes when all earlier bytes have left. */
-  bool waiting_; /* The action in hand waits for the bytes behind it. */
-  bool busy_;    /* run() or availableMsg() is under way. */
-  bool mute_;    /* The port takes no more bytes of this message. */
+  int free_;                                  /* The port's room for bytes when no byte waits in it. */
+  bool waiting_; /* True: the action in hand waits for the bytes behind it. */
+  bool busy_;    /* True: run() or availableMsg() is under way. */
+  bool mute_;    /* True: the port takes no more bytes of this message. */
   javino_board board_;
 };
 

@@ -1,6 +1,6 @@
 /**
  * @file A board on a network or on Bluetooth: on any Stream that the sketch may open, replace and lose, such as a WiFiClient, an
- * EthernetClient or a BluetoothSerial. No Serial is needed.
+ * EthernetClient or a BluetoothSerial. It needs no Serial.
  *
  *     #include <JavinoNetwork.h>
  *
@@ -17,14 +17,14 @@
  *       javino.run();
  *     }
  *
- * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so a frame takes one packet, not one for each byte.
+ * It has everything that JavinoBoard has. All bytes of a run() go out in one write: a frame takes one packet, not one for each byte.
  */
 #ifndef JAVINO_NETWORK_H
 #define JAVINO_NETWORK_H
 
 #include "JavinoBoard.h"
 
-/** Bytes that are gathered for one write; a longer answer takes several. A packet of TCP over Ethernet holds 1,460 bytes. */
+/** How many bytes are gathered for one write; a longer answer takes several. A packet of TCP over Ethernet holds 1,460 bytes. */
 #ifndef JAVINO_GATHERED_BYTES
 #define JAVINO_GATHERED_BYTES 300
 #endif
@@ -34,7 +34,7 @@ class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
 
-  /** Sets the stream, and forgets the bytes gathered for the stream before. */
+  /** Sets the stream, and forgets the bytes gathered for the previous stream. */
   void setStream(Stream *stream) {
     to_ = stream;
     length_ = 0;
@@ -42,7 +42,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops bytes that the stream does not take, since nobody is there any more. */
+  /** Writes the gathered bytes. Drops bytes that the stream does not take: then nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {
@@ -73,7 +73,7 @@ private:
   uint8_t bytes_[JAVINO_GATHERED_BYTES];
 };
 
-/** For JavinoNetworkSized: constructed before the board, which refers to it. */
+/** For JavinoNetworkSized: a base class, so that the gathering is constructed before the board, which refers to it. */
 struct JavinoGatheringHolder {
   JavinoGathering gathering_;
 };
@@ -81,22 +81,22 @@ struct JavinoGatheringHolder {
 /** A board on streams, with this many bytes of memory, see JavinoSized. */
 template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
 public:
-  /** A board on no stream until setStream(). */
+  /** A board without a stream until setStream() is called. */
   JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
 
-  /** A board on this stream, which must last while it is in use. */
+  /** A board on this stream, which must last while the board uses it. */
   explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
     begin();
     setStream(stream);
   }
 
-  /** Sets the time limit within a message to 2 s, for networks. The constructor does so too; see setTimeLimit(). */
+  /** Sets the longest pause within a message to 2 s, for networks. The constructor does so too; see setTimeLimit(). */
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this open stream from now on, such as a computer's new connection. The stream must last until another is set. A part of a message
-   * from the old stream is forgotten. If an outcome was lost and a computer repeats its command through the new stream, the command is
-   * still carried out only once. Do not call this within a callback.
+   * Uses this open stream from now on, such as a computer's new connection. The stream must last until another is set. An incomplete
+   * message from the old stream is forgotten. If an outcome is lost with the old stream, and the computer repeats the command through the
+   * new one, the command is still carried out only once. Do not call this within a callback.
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);
@@ -109,7 +109,7 @@ public:
   /** Returns true if a stream has been set. */
   bool hasStream() const { return !gathering_.isOn(NULL); }
 
-  /** @name As in JavinoBoard; these also send the gathered bytes. */
+  /** @name As in JavinoBoard, but these functions also send the gathered bytes. */
   ///@{
   void run() {
     JavinoBoard::run();

@@ -10,7 +10,7 @@
 #define IS_OPEN(board) false
 #define HEADER 0
 #else
-/* True if a part of an answer has gone out, but not the last. */
+/* True if a part of an answer has gone out, but not the last part. */
 #define IS_OPEN(board) ((board)->part != 0)
 #define HEADER JAVINO_ITEM_HEADER
 /* The most bytes of an answer in a frame, without the numbers of the request and the part. */
@@ -20,7 +20,7 @@
 #endif
 #endif
 
-#define NOT_SAME 0xFF /* a name differs from the functor */
+#define NOT_SAME 0xFF /* this name differs from the functor */
 
 #ifndef JAVINO_VERSION_1_ONLY
 static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
@@ -40,7 +40,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
     javino_decoder *d = &b->link.decoder;
     uint8_t *place = d->bytes;
     uint16_t room = b->memory - base;
-    /* In version 1 a message is one frame. Bytes that arrive while an answer is being written need room too. */
+    /* In version 1 a message is one frame. Bytes that arrive while an answer is being written also need room. */
 #if JAVINO_TEXT_MAX > 255
     if (!JAVINO_IS_2(&b->link))
         room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
@@ -112,9 +112,9 @@ static bool is_named(const javino_link *link, const char *functor, uint8_t lengt
 {
     const char *p = link->text;
     uint8_t left = link->length;
-    uint8_t same = NOT_SAME; /* how many bytes of a name equal the functor's first bytes */
+    uint8_t same = NOT_SAME; /* how many bytes of this name equal the functor's first bytes */
     bool all = true;
-    /* A bracket or a comma stands in front of each name and behind it. */
+    /* Before and after each name there is a bracket or a comma. */
     for (; left; left--) {
         char c = *p++;
         if (c == '(' || c == ',' || c == ')') {
@@ -152,7 +152,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Begins the frame of one part of an answer; length: the number of the answer's bytes in the part. */
+/* Begins the frame of a part of an answer. length: how many bytes of the answer the part has. */
 static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
@@ -210,7 +210,7 @@ void javino_board_send_text(javino_board *board, bool last, javino_room n)
 #endif
 }
 
-/* Codes the percepts that are not coded yet. An incomplete percept stays behind the coded ones. */
+/* Codes the percepts that are not coded yet. An unfinished percept stays behind the coded percepts. */
 static JAVINO_NOINLINE void code(javino_board *b)
 {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -230,8 +230,7 @@ static void begin_item(javino_board *b)
 }
 #endif
 
-/* Sends whole percepts ahead of the rest, as many as a frame holds. If a percept is longer than the memory, sends a piece of the
- * percept. */
+/* Sends as many whole percepts as a frame holds, ahead of the rest. If a percept is longer than the memory, sends a piece of it. */
 static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
@@ -249,7 +248,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set, only one short part goes out now. The rest follows when the rules can be watched. */
+    /* While rules are set, only one short part goes out now, so that the rules are watched before the next part. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -257,7 +256,7 @@ static void send_ahead(javino_board *b)
         javino_board_send_text(b, false, n);
 }
 
-/* Makes room for one more byte of an answer, if necessary by sending a part ahead. */
+/* Makes room for one more byte of an answer. If necessary, sends a part of the answer ahead. */
 static void make_room(javino_board *b)
 {
     if (b->link.event == JAVINO_REQUEST) {
@@ -275,17 +274,17 @@ bool javino_kind_begin(javino_board *board)
 {
     const javino_link *l = &board->link;
     if (l->event != JAVINO_REQUEST || l->length != 3 || l->text[1] != '?')
-        return false; /* The request does not ask for kinds by (?). */
+        return false; /* The request does not ask for kinds, as (?) does. */
     javino_percept_put(board, '?');
 #ifndef JAVINO_VERSION_1_ONLY
-    board->text[board->whole] = JAVINO_ITEM_TEXT; /* The text uses up no shape. */
+    board->text[board->whole] = JAVINO_ITEM_TEXT; /* So that the text uses up no shape. */
 #endif
     return true;
 }
 
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
-    const char *name = *functor == '~' ? functor + 1 : functor; /* The ~ is no part of the functor. */
+    const char *name = *functor == '~' ? functor + 1 : functor; /* Requests name the functor without the ~. */
     if (!javino_board_wants(board, name, (uint8_t)strlen(name)))
         return false;
     javino_percept_text(board, functor);
@@ -464,8 +463,8 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
     javino_nesting n = {0, 0, false, false, 0};
-    size_t sent = 0;  /* sent or left out up to here */
-    size_t whole = 0; /* whole percepts up to here */
+    size_t sent = 0;  /* everything before this index is sent or left out */
+    size_t whole = 0; /* the percepts before this index are whole */
     size_t end;
     bool complete = true;
     for (end = 1; end <= length; end++) {

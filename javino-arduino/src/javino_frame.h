@@ -1,19 +1,19 @@
 /**
- * @file Frames of the Javino protocol, versions 1 and 2: their kinds and bytes, the checksum, and the encoder, which writes them.
+ * @file Frames of the Javino protocol, versions 1 and 2: their kinds and bytes, their checksum, and the encoder that writes frames.
  *
- * Plain C99 without heap, floating point or a board's header. All memory is the caller's. No function waits: the caller hands in the bytes
- * one by one, and also the time if it matters. Times are milliseconds of a clock that may wrap around, often only its lower 16 bits. Call
- * no function from an interrupt; a receive interrupt fills its own buffer, from which the program takes the bytes.
+ * Plain C99 without heap, floating point or a board's header. The caller owns all memory. No function waits: the caller hands in the bytes
+ * one by one, and the time where it matters. Times are milliseconds of a clock that may wrap around, often only its lower 16 bits. Do not
+ * call a function from an interrupt: a receive interrupt fills a buffer of its own, from which the program takes the bytes.
  *
- * The layers, each usable without those behind it:
+ * The layers, each usable without the layers listed after it:
  *  - javino_frame.h: frames; javino_decoder.h: finds frames in received bytes;
- *  - javino_link.h: the conversation: versions, sessions, commands and their outcomes, a lost link;
+ *  - javino_link.h: versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
  *
- * Switches, defined for all files, leave parts out:
+ * Switches leave parts out. Define them for all files:
  *  - JAVINO_VERSION_1_ONLY: version 2;
- *  - JAVINO_VERSION_2_ONLY: version 1. Without a session nothing is sent; there is no javino_link_send();
- *  - JAVINO_NO_FUNCTOR_LISTS: the functors in requests. The board answers with all percepts;
+ *  - JAVINO_VERSION_2_ONLY: version 1. Then nothing is sent without a session, and there is no javino_link_send();
+ *  - JAVINO_NO_FUNCTOR_LISTS: the functors in requests. The board then always answers with all percepts;
  *  - JAVINO_NO_DECIMALS: numbers with decimals, in the Arduino class.
  */
 #ifndef JAVINO_FRAME_H
@@ -28,9 +28,9 @@ extern "C" {
 #endif
 
 #if defined(__AVR__) && defined(__GNUC__)
-/* On this machine, a copy of a function for known arguments takes more flash than it saves in calls. */
+/* On AVR, a copy of such a function for known arguments takes more flash than it saves in calls. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
-/* On this machine, such a copy takes less flash than the arguments in each call. */
+/* On AVR, a copy of such a function for known arguments takes less flash than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
 #else
 #define JAVINO_OUTLINE
@@ -46,7 +46,7 @@ extern "C" {
 /** Bytes around a payload, in either version, before escaping. */
 #define JAVINO_OVERHEAD 6
 
-/** Kinds of version 2 frames, as in their byte CC. */
+/** The kinds of version 2 frames, as their byte CC has them. */
 enum {
     JAVINO_HELLO = 0x10,
     JAVINO_ASK = 0x20,
@@ -68,7 +68,7 @@ enum {
 #define JAVINO_START 0xA5
 /** Stands in front of each escaped byte of a frame of version 2. */
 #define JAVINO_ESCAPE 0xA4
-/** The bits in which a byte differs from the byte that replaces it behind an escape. */
+/** The bits in which an escaped byte differs from the byte that it stands for. */
 #define JAVINO_ESCAPED 0xA0
 
 #ifndef JAVINO_VERSION_2_ONLY
@@ -78,10 +78,10 @@ extern const char javino_preamble[4];
 
 /* ---- CRC ---- */
 
-/** The CRC before the first byte of a frame that is checked with a session's nonce; 0 for HELLO and WELCOME. */
+/** The CRC before the first byte of a frame of the session with this nonce; the nonce is 0 for HELLO and WELCOME. */
 #define JAVINO_CRC_START(nonce) ((uint16_t)((uint8_t)~(nonce) << 8 | 0xFF))
 
-/** @return CRC-16/CCITT-FALSE of the bytes so far (crc) and one more */
+/** @return the CRC-16/CCITT-FALSE of the bytes so far, of which the CRC is crc, and one more byte */
 uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 
 /* ---- Encoder ---- */
@@ -98,14 +98,14 @@ typedef struct {
 } javino_encoder;
 
 #ifndef JAVINO_VERSION_2_ONLY
-/** Begins a frame of version 1. Exactly length calls of javino_encoder_put and one of javino_encoder_end must follow. */
+/** Begins a frame of version 1. Exactly `length` calls of javino_encoder_put and one of javino_encoder_end must follow. */
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 #endif
 
 /** Begins a frame of version 2, with the bytes CC (kind) and SS (number). The same calls must follow as after javino_encoder_begin. */
 void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length);
 
-/** Writes one byte of payload, in version 2 with an escape if necessary. */
+/** Writes one byte of payload; in version 2 it is escaped if necessary. */
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte);
 
 /** Writes the last bytes of payload and ends the frame. */

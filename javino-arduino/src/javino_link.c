@@ -6,10 +6,10 @@
 #define REQUEST_LENGTH 11 /* length of getPercepts */
 #endif
 
-/* The most frames that one poll handles: a flood of them cannot hold the program up. */
+/* The most frames that one poll handles, so that a flood of frames cannot stop the program. */
 #define FRAMES_PER_POLL 8
 
-/* Bytes of the checksum behind a payload. */
+/* The number of bytes of the checksum behind a payload. */
 #define CRC_LENGTH 2
 
 /* The first bytes of items in a row of commands. */
@@ -21,7 +21,7 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    /* Does the work of javino_decoder_init, which would clear the decoder a second time. */
+    /* In place of javino_decoder_init, which would clear the decoder a second time. */
     link->decoder.bytes = (uint8_t *)bytes;
     link->decoder.size = size;
     link->decoder.timeout_ms = 100;
@@ -95,7 +95,7 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     send(l, JAVINO_WELCOME, &l->session, 6);
 }
 
-/* Begins a session; nonce 0: ends the present one. */
+/* Begins a session, or ends the present session if the nonce is 0. */
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
@@ -136,7 +136,7 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
     javino_encoder_end(&l->encoder);
 }
 
-/* Hands out the next command of the row. At the end of the row, acknowledges the row. */
+/* Hands out the next command of the frame. At the end of the frame, acknowledges its commands. */
 static javino_event next_command(javino_link *l)
 {
     uint8_t *frame = l->decoder.bytes;
@@ -162,7 +162,7 @@ static javino_event next_command(javino_link *l)
                 break;
         }
         frame[JAVINO_LENGTH_AT] = left - length;
-        if (frame[JAVINO_NUMBER_AT]++ != l->due || l->flags) // carried out before, or out of order
+        if (frame[JAVINO_NUMBER_AT]++ != l->due || l->flags) // the command was carried out before, or is out of order
             continue;
         l->text = (const char *)p;
         l->length = length;
@@ -182,7 +182,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* Returns the event for the program in a frame of version 2. */
+/* Returns the event that a frame of version 2 means for the program. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];
@@ -191,7 +191,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        if (number != l->session) /* otherwise the same HELLO came twice */
+        if (number != l->session) /* if equal, the same HELLO came twice */
             begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
@@ -216,7 +216,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 
 /* ---- Both versions ---- */
 
-/* Returns the event for the program in the frame that has just arrived. */
+/* Returns the event that the frame which has just arrived means for the program. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
 #ifndef JAVINO_VERSION_2_ONLY
@@ -325,7 +325,7 @@ JAVINO_OUTLINE void javino_link_supervise(javino_link *link, uint32_t now_ms)
 JAVINO_NOINLINE bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
     if (link->heard) {
-        /* The valid message may have waited since the receive buffer was last empty. */
+        /* The valid message may have waited since the receive buffer was last found empty. */
         link->heard = link->lost = false;
         link->since_ms = link->drained_ms;
     }

@@ -12,19 +12,19 @@
 extern "C" {
 #endif
 
-/** The place of a reader in a text: the depth of brackets, and the open quotes. All zero at first. */
+/** Which brackets and quotes are open where a reader is in a text. All members are zero at first. */
 typedef struct {
     uint8_t depth;
     char quote; /**< 0 outside of quotes. */
     bool escaped;
-    bool crossed;   /**< A bracket was closed by one of another kind, or was not open. */
+    bool crossed;   /**< True: a closing bracket had no opening one, or one of another kind. */
     uint32_t kinds; /**< The innermost sixteen open brackets, two bits each. */
 } javino_nesting;
 
-/** Takes one character. @return true if it is no bracket and no quote, and stands outside of both */
+/** Takes one character. @return true: it is no bracket and no quote, and is outside of both */
 bool javino_outside(javino_nesting *nesting, char c);
 
-/** @return the number of bytes in front of the first bracket, at most length; a zero also ends the text */
+/** @return the number of bytes before the first bracket, at most length; a zero byte also ends the text */
 uint8_t javino_word(const char *text, uint8_t length);
 
 /**

@@ -7,8 +7,8 @@
 #include "javino_items.h"
 #include "javino_literal.h"
 
-#define UNTIL 1 /* stands between two values */
-#define REFLEX 2 /* stands in front of a reflex */
+#define UNTIL 1 /* separates two values */
+#define REFLEX 2 /* precedes a reflex */
 
 #define ALIGNMENT sizeof(void *)
 
@@ -96,8 +96,8 @@ static int8_t compare(const decimal *a, const decimal *b)
     return a->negative ? -1 : 1;
 }
 
-/* ---- One rule, in bytes: its number; its functor and 00; any number of conditions, each "place operator value [01 value] 00"; perhaps
-   02 and a reflex ---- */
+/* ---- One rule, in bytes: its number; its functor and 00; any number of conditions, each "position operator value [01 value] 00" (the
+   position of an argument); perhaps 02 and a reflex ---- */
 
 static bool is_operator(char c, bool number)
 {
@@ -113,7 +113,7 @@ static uint8_t word(const char *text, const char *end)
     return p < end ? (uint8_t)(p - text) : 0;
 }
 
-/* Returns the length of the first value; there may be a second one. */
+/* Returns the length of the first value; a second value may follow. */
 static uint8_t first_value(const char *values, uint8_t length)
 {
     uint8_t n = 0;
@@ -122,7 +122,7 @@ static uint8_t first_value(const char *values, uint8_t length)
     return n;
 }
 
-/* The condition has values of this length. */
+/* Returns true if the text is a condition. `length`: bytes of its values. */
 static bool is_condition(const char *text, uint8_t length)
 {
     const char *values = text + 2;
@@ -150,7 +150,7 @@ static bool is_rule(const char *text, const char *end)
     return text == end || text + 1 < end;
 }
 
-/* The condition has values of this length; if its rule was met, the second one counts. */
+/* Returns true if an argument meets a condition with `length` bytes of values. If `met`, the rule was met, so a second value counts. */
 static bool holds(const char *condition, uint8_t length, bool met, const char *text, uint8_t text_length)
 {
     char how = condition[1];
@@ -160,7 +160,7 @@ static bool holds(const char *condition, uint8_t length, bool met, const char *t
     uint8_t n = javino_argument(text, text_length, (uint8_t)(*condition - '1'), &argument);
     bool number = n && is_number(argument, n);
     int8_t order;
-    decimal a, b; /* sdcc passes no structs by value */
+    decimal a, b; /* not passed by value, which sdcc cannot do with structs */
     if (met && first < length) {
         value += first + 1;
         length -= first + 1;
@@ -204,14 +204,14 @@ static bool meets(const char *rule, const char *end, bool met, const char *text,
 
 /* ---- All rules ---- */
 
-/* Takes a bit out: lower bits stay, higher bits move down. */
+/* Removes a bit: lower bits stay, higher bits move down. */
 static uint8_t without_bit(uint8_t bits, uint8_t bit)
 {
     uint8_t below = bits & (uint8_t)(bit - 1);
     return below | ((bits >> 1) & (uint8_t)~(bit - 1));
 }
 
-/* Returns the place of the rule with this number; the end of all rules: there is none. Sets bit to the rule's bit in met. */
+/* Returns the index of the rule with this number; if there is none, the end of all rules. Sets bit to the rule's bit in met. */
 static uint16_t place_of(const struct javino_rules *r, uint8_t number, uint8_t *bit)
 {
     uint16_t at = 0;
@@ -225,7 +225,7 @@ static void forget(struct javino_rules *r)
     r->used = r->met = 0;
 }
 
-/* Sets or removes rules by the command in hand; false: it is malformed, or there is no room. */
+/* Sets or removes rules by the command in hand. Returns false if it is malformed, or there is no room. */
 static bool set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
@@ -237,7 +237,7 @@ static bool set(javino_board *board)
     uint16_t before; /* bytes of the replaced rule */
     uint8_t bit;
     if (l->rules == 0)
-        forget(r); /* A session has begun since. */
+        forget(r); /* A session has begun since the last command. */
     if (number == 0 && length == 1) {
         l->rules = 0;
         forget(r);
@@ -280,7 +280,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. Percepts that the program writes in the meantime wait, like unasked percepts. */
+/* Carries a reflex out. Percepts that the program writes meanwhile wait like unasked percepts. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -304,7 +304,7 @@ static void report(javino_board *b, uint8_t number, uint8_t outcome, const char 
     javino_encoder_finish(e, text, length);
 }
 
-/* Compares the percept behind the whole percepts with all rules. */
+/* Compares the newest percept, which is behind the whole percepts, with all rules. */
 static void watch(javino_board *b)
 {
     struct javino_rules *r = b->rules;
@@ -360,7 +360,7 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers in parts ---- */
 
-/* Sends the next part of an answer to an earlier message than the one in hand. */
+/* Sends the next part of an answer. The answered request is not the message in hand, but an earlier one. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -378,8 +378,8 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
-/* Divides the memory beside the answer. Until the answer's last part has left, frames arrive in front of it, and percepts are compared
- * behind it. */
+/* Divides the rest of the memory. Until the answer's last part has left, frames arrive before the answer, and percepts are compared after
+ * it. */
 static void make_room(javino_board *b)
 {
     uint16_t left = b->memory - b->length;
@@ -391,7 +391,7 @@ static void make_room(javino_board *b)
     javino_board_place(b, place < arrived ? arrived : place);
 }
 
-/* Returns true if the answer goes out in parts from now on, or if unasked percepts join such an answer. */
+/* Returns true if the answer goes out in parts from now on, or if the percepts are unasked and join such an answer. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -405,8 +405,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* If the line is free, sends the next part of the answer. With any `where` except JAVINO_RULES_GO_ON, sends all remaining parts. Returns
- * false if no answer is being sent. */
+/* Sends the next part of the answer, if `where` is JAVINO_RULES_GO_ON and the line is free. With any other `where`, sends all remaining
+ * parts. Returns false if no answer is being sent. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;
@@ -421,7 +421,7 @@ static bool go_on(javino_board *b, uint8_t where)
     if (all || !r->is_free || r->is_free(b->link.encoder.context))
         do {
             send_next(b);
-            /* Each part may wait for the line. */
+            /* A part may have waited for the line. */
             if (where == JAVINO_RULES_END && r->perceive)
                 look(b);
         } while (all && b->answering);
@@ -436,7 +436,7 @@ static bool take_part(javino_board *b, uint8_t where)
     case JAVINO_RULES_ANSWER: return answer(b);
     case JAVINO_RULES_END:
         go_on(b, where);
-        /* Behind the written answer, there is memory for the comparison of percepts. */
+        /* Is there memory behind the new answer, in which percepts can be compared? */
         return b->link.rules && b->memory - b->link.decoder.end >= 2 * JAVINO_TEXT_MIN;
     default: return go_on(b, where);
     }
@@ -448,7 +448,7 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
     uint8_t *memory;
     bytes -= bytes % ALIGNMENT;
-    memory = javino_board_take_front(board, bytes); /* The program's actions lie at the end, without a gap. */
+    memory = javino_board_take_front(board, bytes); /* At the front, since the program's actions are at the end, without a gap. */
     if (!memory)
         return false;
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);

@@ -11,23 +11,23 @@ ANY = 255
 _MAX_ACTIONS = 126
 _MAX_NAME = 250
 _MAX_PARTS = 255
-_PART = 253  # bytes of each part: 64,515 in an answer
-_PART_WITH_RULES = 12  # 3,060 in an answer
+_PART = 253  # bytes of an answer in each part, so at most 64,515 bytes in an answer
+_PART_WITH_RULES = 12  # while there are rules; so at most 3,060 bytes in an answer
 _PAGE = 252
 _LOOK_MS = 5
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
-_KINDS = "(?)"  # stands in place of a list of functors, and asks for the kinds of percepts
-_NOTHING = None  # a command that only uses up its number
+_KINDS = "(?)"  # in place of a list of functors: asks for the kinds of percepts
+_NOTHING = None  # "no command", which only uses up its number
 
 
 class Refused(Exception):
-    """An action's function raises this if the action cannot be carried out. Returning False has the same effect."""
+    """The function of an action raises this exception if it cannot carry the action out. Returning False has the same effect."""
 
 
 def _read_row(row):
-    """Returns the commands of a payload: the number of an action, a text, (rule,) for the text of a rule, or _NOTHING. An unreadable item
-    ends the list."""
+    """Yields the commands of a payload: for an action its number, for a text the text, for a rule (text,), for "no command" _NOTHING. Ends
+    before an unreadable item."""
     at = 0
     while at < len(row):
         first = size = row[at]
@@ -46,7 +46,7 @@ def _read_row(row):
 
 
 def _asks_for(functors, functor):
-    """Returns true if a request names this functor, as `(dist,light)` does, or names no functor: such a request asks for all percepts."""
+    """Returns true if a request with this list of functors, such as `(dist,light)`, asks for `functor`. Without a list, it asks for all."""
     if "(" not in functors and "," not in functors:
         return True
     for before in "(,":
@@ -70,11 +70,11 @@ class Board:
     """A board on a line.
 
     `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. The default is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port. If the
-    rate is known, the board spaces the parts of a long answer, so that the report of a reflex can overtake them. 100 ms of silence end an
-    unfinished frame; below 2000 baud, 20 byte times of silence do. `credit` is the size of the port's receive buffer in bytes. `longest` is
-    the largest payload of a frame in bytes. `shapes` is the number of shapes of percepts that the board sends by their digits. `ticks` is a
-    clock of milliseconds.
+    port. The default is standard input and output; on a microcontroller that is the USB port. `baud` is the rate of a named serial port.
+    With a known rate, the board waits between the parts of a long answer, so that the report of a reflex can overtake parts. An unfinished
+    frame ends after 100 ms of silence; below 2000 baud, after 20 byte times. `credit` is the size of the port's receive buffer in bytes.
+    `longest` is the largest payload of a frame in bytes. `shapes` is the number of shapes of percepts that the board sends by their digits.
+    `ticks` is a clock of milliseconds.
 
     Call a board from only one thread, never from an interrupt.
     """
@@ -92,10 +92,10 @@ class Board:
         self._kinds = []
         self._receiver = frames.Receiver(self, frames.idle_ms(baud), longest)
         self._running = False
-        self._inbox = b""  # bytes that came while a registered function ran
-        self._texts = []  # percepts that were written and not sent
-        self._waiting = 0  # bytes of the unsent percepts that no request asked for
-        self._asked = None  # the functors of the request in hand
+        self._inbox = b""  # bytes that arrived while a registered function ran
+        self._texts = []  # written percepts that are not sent yet
+        self._waiting = 0  # number of bytes of the written percepts, if no request asked for them
+        self._asked = None  # the list of functors of the request in hand; None: there is no request
         self._version = 0  # version of the request in hand
         self._doubtful = None  # an action of version 1 that may be the beginning of another action
         self._rules = None
@@ -115,7 +115,7 @@ class Board:
         self._shapes = Shapes(self._room)
         self._parts = []
         self._next_ask = None
-        self._open = 0  # the action whose outcome is reported later
+        self._open = 0  # the number, from `later`, of the action whose outcome is reported later; 0: none
         self._outcome = None
         self._in_hand = False
         if self._rules is not None:
@@ -124,12 +124,12 @@ class Board:
     # ---- functions that a program registers ----
 
     def on_action(self, name, function=None, arguments=0):
-        """Registers the function of an action. The function gets the arguments' values: int, float, or str.
+        """Registers the function of an action. The function gets the values of the action's arguments: int, float, or str.
 
-        `arguments` is the number of the action's arguments, or ANY. A call with another number is refused. The function refuses a call by
-        returning False or raising Refused. Any other exception refuses the call and ends `run`. Without a function, on_action is a
-        decorator: `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`. Registering a name again replaces its
-        function.
+        `arguments` is the number of the action's arguments, or ANY. An action with another number is refused. The function refuses the
+        action by returning False or raising Refused. After any other exception, the action is refused and `run` raises that exception.
+        Without a function, on_action is a decorator: `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`.
+        Registering a name again replaces its function.
         """
         if isinstance(function, int):
             function, arguments = None, function
@@ -152,9 +152,10 @@ class Board:
         return function
 
     def perceive(self, function, *kinds):
-        """Registers the function that writes percepts when a computer asks for them. Returns the function, so perceive is also a decorator.
+        """Registers the function that writes percepts when a computer asks for them. Returns that function, so that `perceive` is also a
+        decorator.
 
-        `kinds` describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
+        `kinds` are texts that describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
         `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or `0|1`,
         or a range, perhaps with a unit in front: `cm 0..400`, `-40..125`, `% ..`.
         """
@@ -166,9 +167,9 @@ class Board:
         return function
 
     def watch_rules(self, room=8):
-        """Makes the board watch up to `room` critical rules of the computer. `run` then calls the function given to `perceive`, at most
-        every 5 ms. In these calls `wants` is true only for functors that a rule names. Call watch_rules before the first `run`."""
-        from .rules import Rules  # not imported on boards that watch no rules
+        """Lets the board watch up to `room` critical rules, which the computer sets. `run` then calls the function given to `perceive`, at
+        most every 5 ms. In these calls `wants` is true only for functors that a rule names. Call watch_rules before the first `run`."""
+        from .rules import Rules  # here, since boards without rules need not load it
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
@@ -180,7 +181,7 @@ class Board:
     # ---- percepts ----
 
     def wants(self, functor):
-        """Returns true if the request in hand asks for percepts of this functor. If not, the sensor need not be read."""
+        """Returns true if the request in hand asks for percepts with this functor. If not, the sensor need not be read."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
@@ -189,8 +190,7 @@ class Board:
     def percept(self, functor, *values):
         """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. `term` describes the values.
 
-        Returns False if the percept will not be sent. The percept may be too long for version 1, or too many percepts wait without a
-        request.
+        Returns False if the percept will not be sent, because it is too long for version 1, or too many percepts wait without a request.
         """
         if not self.wants(functor):
             return True
@@ -215,12 +215,12 @@ class Board:
         return True
 
     def clear_percepts(self):
-        """Forgets percepts that were written and not sent."""
+        """Forgets written percepts that are not sent yet."""
         self._texts = []
         self._waiting = 0
 
     def send_percepts(self):
-        """Sends the written percepts unasked. `run` sends the percepts that answer a request."""
+        """Sends the written percepts unasked. The answer to a request is sent by `run`."""
         if self._asked is None and not self._is_looking:
             self._send_texts(0, 2 if self._session else 1)
             self._send_parts()
@@ -245,7 +245,7 @@ class Board:
         self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
 
     def _send_as_fits(self, request, texts, write, words):
-        """Sends the answer that `write` makes of these texts. If the texts are too many for an answer, sends only the first ones and
+        """Sends the answer that `write` makes of these texts. If there are too many texts for one answer, sends only the first of them, and
         warns."""
         limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
         answer = write(texts)
@@ -279,7 +279,7 @@ class Board:
         self._put(frames.frame1(message))
 
     def _send_parts(self):
-        """Sends parts of answers. With rules, sends each part when the previous one has left, and looks at the sensors between them."""
+        """Sends the waiting parts of answers. With rules, sends a part when the previous part has left, then looks at the sensors."""
         while self._parts and (not self._rules or self._has_left()):
             kind, payload = self._parts.pop(0)
             self._say(kind, payload)
@@ -289,7 +289,7 @@ class Board:
     # ---- actions ----
 
     def carry_out(self, text):
-        """Carries out the action of this text, as a reflex does. Returns true if the action was carried out."""
+        """Carries out the action with this text, as for a command or a reflex. Returns true if the action was carried out."""
         functor, arguments, is_whole = split(text)
         if not is_whole:
             return False
@@ -307,8 +307,7 @@ class Board:
 
     def later(self):
         """Call this in an action's function to report the outcome later, with `done`. Until `done` is called, the board carries out no
-        other action of version 2, but answers requests. Returns the number for `done`, or 0 if nobody waits for an outcome, as in version
-        1."""
+        other action of version 2, but answers requests. Returns a number for `done`; 0 if nobody waits for an outcome, as in version 1."""
         if not self._in_hand:
             return 0
         self._tokens += 1
@@ -371,7 +370,7 @@ class Board:
     # ---- rules ----
 
     def _look(self):
-        """Compares percepts with the rules, at most every 5 ms."""
+        """Reads the sensors and compares the percepts with the rules, at most every 5 ms."""
         now = self._ticks()
         if not self._rules or not self._perceive or ticks_diff(now, self._looked) < _LOOK_MS:
             return
@@ -388,7 +387,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # percepts that the reflex's function writes are kept, not compared
+                self._is_looking = False  # so that percepts which the reflex's function writes are kept, not compared
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -398,9 +397,9 @@ class Board:
     # ---- the line ----
 
     def run(self):
-        """Takes arrived bytes: answers requests, carries out actions, reports a lost link. Call this in every round of the program. In a
-        call from a registered function, run only stores the bytes, so a receive buffer does not overflow. Raises LineGone when the line is
-        gone for good."""
+        """Handles the bytes that have arrived: answers requests, carries out actions, reports a lost link. Call this in every round of the
+        program. Called from a registered function, `run` only stores the bytes, so that a receive buffer does not overflow. Raises LineGone
+        when the line is gone for good."""
         if self._running:
             if len(self._inbox) < _MAX_WAITING:
                 self._inbox += self.line.read() or b""
@@ -434,12 +433,12 @@ class Board:
         """Waits at most `ms` milliseconds until something arrives. Waits less if silence may end a frame, or if rules watch sensors."""
         if self._parts:
             ms = min(ms, 1)
-        elif self._rules or self._receiver.is_waiting():  # true if rules are set
+        elif self._rules or self._receiver.is_waiting():  # `_rules` is true while rules are set
             ms = min(ms, _LOOK_MS)
         self.line.wait(ms)
 
     def run_forever(self, each_round=None, ms=20):
-        """Runs the board without end. Calls `each_round` in every round, at least every `ms` milliseconds."""
+        """Runs the board forever. Calls `each_round` in every round; a round waits at most `ms` milliseconds."""
         while True:
             self.run()
             if each_round:
@@ -467,7 +466,7 @@ class Board:
     # ---- frames, as the receiver finds them ----
 
     def take1(self, payload):
-        """Takes a message of version 1. The sender has no session, so the session of an earlier program ends."""
+        """Handles a message of version 1. Its sender has no session, so a session that an earlier program began ends."""
         self._note_valid()
         if self._session:
             self._begin(0)
@@ -477,19 +476,19 @@ class Board:
             return
         for name, _, _ in self._actions:
             if name != text and name.startswith(text):
-                self._doubtful = text  # a damaged size may have cut the text short
+                self._doubtful = text  # the length may be damaged, and the text cut short
                 return
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Learns from the next bytes whether the message of version 1 before them was read rightly."""
+        """Called when the next bytes show whether the last message of version 1 was read rightly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)
 
     def take2(self, kind, number, payload):
         self._note_valid()
-        if kind == frames.HELLO and number != self._session:  # the same number: the same HELLO has come twice
+        if kind == frames.HELLO and number != self._session:  # if equal, the same HELLO has come twice
             self._begin(number)
         if kind == frames.HELLO or not self._session:
             rules = 0 if self._rules is None else self._rules.room

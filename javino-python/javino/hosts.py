@@ -8,7 +8,7 @@ import time
 from .lines import LineGone, Port
 
 _CREDIT = 255  # the system's own buffer is larger
-_PATIENCE = 1.0  # seconds until bytes that nobody takes are lost, as on a serial line
+_PATIENCE = 1.0  # seconds after which bytes that nobody takes are dropped, as a serial line drops them
 
 
 def open_named(name, baud=None):
@@ -70,8 +70,8 @@ def _pyserial(name, baud):
 
 
 def _write_all(send, target, data):
-    """Writes all bytes by `send`, and waits for `target` when it takes none. Returns false and drops the rest if `target` takes none for a
-    second."""
+    """Writes all bytes by `send`, and waits while `target` takes none. If `target` takes none for a second, drops the rest and returns
+    false."""
     end = time.monotonic() + _PATIENCE
     while data:
         try:
@@ -83,7 +83,7 @@ def _write_all(send, target, data):
 
 
 class Descriptor:
-    """A line on two descriptors of the system, or on one descriptor for both directions."""
+    """A line on two file descriptors, or on one file descriptor for both directions."""
 
     credit = _CREDIT
 
@@ -106,7 +106,7 @@ class Descriptor:
         return data
 
     def write(self, data):
-        """Writes all bytes. If the far end takes no byte for a second, the rest is lost."""
+        """Writes all bytes. If the far end takes no byte for a second, drops the rest."""
         try:
             _write_all(lambda rest: os.write(self._out, rest), self._out, data)
         except OSError as e:
@@ -124,7 +124,7 @@ class Descriptor:
 
 
 class PseudoTerminal(Descriptor):
-    """A pseudo-terminal. `name` is the device that a computer opens. The terminal keeps its settings and bytes until it is closed."""
+    """A pseudo-terminal. `name` is the device that a computer opens. Until `close`, the terminal keeps its settings and bytes."""
 
     def __init__(self, link=""):
         import tty
@@ -146,7 +146,7 @@ class PseudoTerminal(Descriptor):
 
 
 class Listener:
-    """Listens for computers, and talks to the computer that connected last."""
+    """A line that listens for computers, and talks to the computer that connected last."""
 
     credit = _CREDIT
 

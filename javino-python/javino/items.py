@@ -1,4 +1,4 @@
-"""Answers of version 2: percepts as a list of items. The first item of a percept holds its text, and later items only its digits."""
+"""Answers of version 2: percepts as a list of items. A text of a new shape goes whole; later percepts of that shape go as digits only."""
 
 MAX_SHAPES = 126
 _BY_NUMBER = 0x80
@@ -9,7 +9,7 @@ _END_OF_NUMBER = 0xF
 
 
 def _shape(text, halves):
-    """Returns the text with one 0 in place of each run of digits. Adds the digits to `halves` as half bytes, with an F behind each run."""
+    """Returns the text with one 0 in place of each run of digits. Appends the digits to `halves` as half bytes, an F behind each run."""
     shape = bytearray()
     was_digit = False
     for byte in text:
@@ -37,9 +37,9 @@ class Shapes:
         return len(self._ids)
 
     def write(self, texts, known):
-        """Returns the items of an answer. `known` is how many shapes the computer knew when it sent the newest request."""
+        """Returns the items of an answer. `known` is the number of shapes that the computer knew when it sent the request."""
         items = bytearray()
-        first, count, halves = 0, 0, bytearray()  # consecutive ids that are sent only by their digits
+        first, count, halves = 0, 0, bytearray()  # a row of percepts with consecutive ids, which are sent only as digits
         for text in texts:
             digits = bytearray()
             id = self._id(text, digits)
@@ -58,14 +58,14 @@ class Shapes:
 
     @classmethod
     def write_without_ids(cls, texts):
-        """Returns the items of texts that take no ids, such as those of a description."""
+        """Returns the items of texts that get no ids, such as the texts of a description."""
         items = bytearray()
         for text in texts:
             cls._write_text(items, text, _WITHOUT_ID)
         return bytes(items)
 
     def _id(self, text, digits):
-        """Returns the text's id, or _WITHOUT_ID."""
+        """Returns the id of the text's shape, or _WITHOUT_ID."""
         if len(text) > _MAX_TEXT:
             return _WITHOUT_ID
         shape = _shape(text, digits)

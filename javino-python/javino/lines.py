@@ -11,14 +11,14 @@ class LineGone(OSError):
 
 
 def tell(text):
-    """Warns the person at a computer, once. A microcontroller stays silent: its line is its only place for words."""
+    """Warns the user of a computer, once for each text. A microcontroller prints nothing, since its output is the line."""
     if IS_COMPUTER:
         import warnings
         warnings.warn(text, RuntimeWarning, stacklevel=2)
 
 
 def open_line(line, baud=None):
-    """Returns the line for a name, an open port or None. `hosts.open_named` describes the names, and `Board` the default."""
+    """Returns a line, given a name, an open port or, for the default, None. See `hosts.open_named` for names, `Board` for the default."""
     if line is not None and not isinstance(line, str):
         return line if hasattr(line, "wait") else Port(line)
     if IS_COMPUTER:
@@ -30,7 +30,7 @@ def open_line(line, baud=None):
 
 
 def _wait(is_ready, ms):
-    """Checks every millisecond whether something is ready, for at most `ms` milliseconds."""
+    """Waits at most `ms` milliseconds until `is_ready` returns true; calls it every millisecond."""
     try:
         from time import sleep_ms
     except ImportError:
@@ -44,7 +44,7 @@ def _wait(is_ready, ms):
 
 
 class Port:
-    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or an object with the same `read` and `write`."""
+    """A line on an open port: `machine.UART`, `busio.UART`, a pyserial port, or an object with the same `read` and `write`."""
 
     def __init__(self, port):
         self._port = port
@@ -74,7 +74,7 @@ class Port:
 
 
 class Console:
-    """Standard input and output of a microcontroller, which is its USB port. The byte 03 is data here, and interrupts no program."""
+    """Standard input and output of a microcontroller: its USB port. Here the byte 03 is data, and does not interrupt the program."""
 
     def __init__(self):
         try:

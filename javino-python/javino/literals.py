@@ -1,5 +1,5 @@
-"""The texts of literals: actions that arrive, and percepts that a program writes. Texts are `str` of ISO 8859-1, a byte for each
-character."""
+"""The texts of literals: of actions that arrive, and of percepts that a program writes. Texts are `str` with characters of ISO 8859-1, one
+for each byte."""
 
 _OPENING = "([{"
 _CLOSING = ")]}"
@@ -25,7 +25,7 @@ def to_text(data):
 
 
 def functor_of(text):
-    """Returns the text in front of arguments and annotations."""
+    """Returns the part of the text before arguments and annotations."""
     for i in range(len(text)):
         if text[i] in "([;":
             return text[:i].strip(" ")
@@ -85,7 +85,7 @@ def _digits(text, at):
 
 
 def is_number(text):
-    """Returns true if the text is digits. A sign may be in front, and a point and digits behind."""
+    """Returns true if the text is a number: perhaps a sign, digits, perhaps a point and more digits."""
     begin = 1 if text[:1] in ("+", "-") and text else 0
     point = _digits(text, begin)
     if point == begin or point == len(text):
@@ -106,8 +106,8 @@ def _scaled(text, places):
 
 
 def compare(a, b):
-    """Compares two numbers given as texts. Returns less than 0 if `a < b`, 0 if they are equal, else more than 0. The comparison is exact,
-    unlike that of a microcontroller's floats."""
+    """Compares two numbers, given as texts. Returns less than 0 if `a < b`, 0 if they are equal, else more than 0. The comparison is exact;
+    with a microcontroller's floats it would not be."""
     places = len(a) + len(b)
     a, b = _scaled(a, places), _scaled(b, places)
     return (a > b) - (a < b)
@@ -117,7 +117,7 @@ def compare(a, b):
 
 
 def value(argument):
-    """Returns the value of an action's argument: an int, a float, or a str without its quotes. Lists and structures stay texts."""
+    """Returns the value of an action's argument: an int, a float, or a str without its quotes. Returns lists and structures as texts."""
     if is_number(argument):
         return float(argument) if "." in argument else int(argument)
     if argument[0] == '"' or argument[0] == "'":

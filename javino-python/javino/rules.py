@@ -2,7 +2,7 @@
 from .literals import compare, functor_of, is_number, split
 
 MAX_PERCEPT = 253
-"""The largest percept in a report, in bytes with its `;`."""
+"""The largest percept in a report, in bytes, including its `;`."""
 
 NO_REFLEX = 0
 CARRIED_OUT = 1
@@ -13,13 +13,13 @@ _REFLEX = "\x02"
 
 
 def _word(text, begin):
-    """Returns the characters before the next 00, and the place behind that 00. Returns (None, 0) if there is no 00."""
+    """Returns the characters before the next 00, and the index behind that 00. Returns (None, 0) if there is no 00."""
     end = text.find("\x00", begin)
     return (None, 0) if end < 0 else (text[begin:end], end + 1)
 
 
 def read(text):
-    """Returns the rule of a command without its number, as (functor, conditions, reflex). Returns None if the text is no rule."""
+    """Returns the rule of a command's text, without its number, as (functor, conditions, reflex). Returns None if the text is no rule."""
     functor, at = _word(text, 0)
     if not functor:
         return None
@@ -83,7 +83,7 @@ class Rules:
         self._met = ()
 
     def set(self, text):
-        """Carries out a command on rules. Returns false if the command is refused."""
+        """Carries out a command that sets or removes rules. Returns false if the command is refused."""
         number = ord(text[0])
         if number == 0 and len(text) == 1:
             self.forget()
@@ -100,7 +100,7 @@ class Rules:
         return True
 
     def watches(self, functor):
-        """Returns true if a rule is on percepts of this functor."""
+        """Returns true if there is a rule for percepts with this functor."""
         for _, rule in self._rules:
             if rule[0].lstrip("~") == functor:
                 return True
@@ -111,8 +111,8 @@ class Rules:
         self._seen = []
 
     def newly_met(self, percept):
-        """Returns (number, reflex) of each rule that begins to be met. The percept is the first that meets the rule in this look, and no
-        percept met the rule in the last look."""
+        """Returns (number, reflex) of each rule that begins to be met by this percept: no percept met the rule in the last look, nor,
+        before this percept, in this look."""
         found = []
         for number, rule in self._rules:
             was_met = number in self._met
@@ -123,5 +123,5 @@ class Rules:
         return found
 
     def end(self):
-        """Ends the look. A rule that no percept met in this look can begin to be met again."""
+        """Ends the look. Rules that no percept met in this look can begin to be met in the next."""
         self._met = tuple([number for number in self._seen if number in [each[0] for each in self._rules]])

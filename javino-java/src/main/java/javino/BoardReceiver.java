@@ -11,7 +11,7 @@ import javino.wire.WireFrame;
 public final class BoardReceiver {
     /** A frame of one version; the field of the other version is null. */
     public record Found(Frame version1, WireFrame version2) {
-        /** Returns the nonce of the session that this frame begins; 0: the frame ends the session; empty: the session stays. */
+        /** Returns the nonce of the session that this frame begins; 0: the frame ends the session; empty: neither. */
         public OptionalInt nonceBehind() {
             if (version2 == null) {
                 return OptionalInt.of(0);
@@ -31,8 +31,8 @@ public final class BoardReceiver {
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
      * @param longestPayload bytes of payload of version 2
-     * @param nonce gives the nonce of the session of version 2; 0: there is no session. In a session a frame of version 1 counts only
-     *     behind a silence
+     * @param nonce gives the nonce of the session of version 2; 0: there is no session. During a session, frames of version 1 are found
+     *     only after a silence
      */
     public BoardReceiver(
             Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
@@ -51,7 +51,7 @@ public final class BoardReceiver {
         version1.anywhere(nonce.getAsInt() == 0);
     }
 
-    /** Takes a byte that has arrived at {@code now}, behind {@code silenceNanos} of silence. */
+    /** Takes a byte that has arrived at {@code now}, after {@code silenceNanos} of silence. */
     public void accept(byte octet, long now, long silenceNanos) {
         idle(now);
         lastNanos = now;
@@ -72,7 +72,7 @@ public final class BoardReceiver {
         version2.idle(now);
     }
 
-    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: nothing is to be decided. */
+    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has nothing to decide. */
     public long nanosUntilIdle(long now) {
         return version1.isReading() || version2.isInFrame()
                 ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
@@ -89,7 +89,7 @@ public final class BoardReceiver {
         }
     }
 
-    /** Takes the bytes that the decoder of version 1 has left; the first one begins a frame of version 2. */
+    /** Handles bytes that the decoder of version 1 did not use; the first of them begins a frame of version 2. */
     private void readAgain(byte[] rest) {
         for (int i = 0; i < rest.length; i++) {
             if (i == 0) {

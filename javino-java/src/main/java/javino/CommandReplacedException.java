@@ -1,6 +1,6 @@
 package javino;
 
-/** A later command of the same functor took the place of this one before it began to go out. No byte of it is ever sent. */
+/** Before this command began to go out, a later command with the same functor replaced it. No byte of this command is ever sent. */
 public final class CommandReplacedException extends PortException {
     private static final long serialVersionUID = 1L;
 

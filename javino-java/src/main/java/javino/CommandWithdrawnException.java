@@ -1,6 +1,6 @@
 package javino;
 
-/** The time limit of a command was over before it began to go out. No byte of it is ever sent. */
+/** The time limit of a command ended before the command began to go out. No byte of the command is ever sent. */
 public final class CommandWithdrawnException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * A transport over a driver whose calls block. A read calls the driver until the read's time is over. A driver's write has no time limit,
- * so a thread of this transport writes. The caller's thread writes only bytes that the driver certainly takes at once.
+ * A transport over a driver whose calls block. A read calls the driver until bytes have come or the read's time is over. A driver's write
+ * has no time limit: a thread of this transport writes. The caller's thread writes only bytes that the driver certainly takes at once.
  */
 public abstract class DriverTransport implements Transport {
     private final String name;
@@ -40,7 +40,7 @@ public abstract class DriverTransport implements Transport {
         return false;
     }
 
-    /** Closes the device, which ends waiting reads and writes. Called once. */
+    /** Closes the device and so ends the reads and writes that wait for it. Called once. */
     protected abstract void closeDriver();
 
     /** The reason why the driver refused a read or a write; completes "port x is gone: ...". */
@@ -98,7 +98,7 @@ public abstract class DriverTransport implements Transport {
         return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
-    /** Notes {@code why} the device is lost; the first reason stays. Returns the exception for the caller. */
+    /** Records {@code why} as the reason for the loss of the device, if none is recorded. Returns the exception to throw. */
     protected final PortGoneException lost(String why) {
         if (!closed.get() && loss == null) {
             loss = why;
@@ -111,7 +111,7 @@ public abstract class DriverTransport implements Transport {
         return loss != null;
     }
 
-    /** @throws PortGoneException if this is closed, or its device gone */
+    /** @throws PortGoneException if this transport is closed, or its device has gone */
     protected final void requireLine() throws PortGoneException {
         if (closed.get() || loss != null) {
             throw lost(loss);

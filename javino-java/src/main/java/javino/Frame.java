@@ -26,8 +26,8 @@ public record Frame(String text) {
     private static final Pattern HEADER = Pattern.compile(PREAMBLE + "\\p{XDigit}{2}");
 
     /**
-     * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or one above U+00FF,
-     *     which does not fit into a byte
+     * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or a character above U+00FF, which does
+     *     not fit into a byte
      */
     public Frame {
         requireBytes(text);
@@ -60,7 +60,7 @@ public record Frame(String text) {
                         i + 1));
             }
         }
-        if (text.contains(PREAMBLE)) { // this test is faster than a pattern, and each command passes here
+        if (text.contains(PREAMBLE)) { // tested for every command, so not with the slower pattern
             requireNoHeader(text);
         }
         return of(text);
@@ -91,7 +91,7 @@ public record Frame(String text) {
     }
 
     /**
-     * {@code text} itself.
+     * Returns {@code text} unchanged.
      *
      * @throws IllegalArgumentException if it has a character above U+00FF, which does not fit into a byte
      */
@@ -109,7 +109,7 @@ public record Frame(String text) {
         return text;
     }
 
-    /** {@code text} in quotes, for a message to a person: its beginning if it is long. */
+    /** Returns {@code text} in quotes, for a message to a person; of a long text only the beginning. */
     public static String quoted(String text) {
         return text.length() <= 40 ? '"' + text + '"' : '"' + text.substring(0, 40) + "...\"";
     }
@@ -119,12 +119,12 @@ public record Frame(String text) {
         return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /** Bytes this frame takes on the line: {@value #HEADER_LENGTH} and its payload. */
+    /** The number of this frame's bytes on the line: {@value #HEADER_LENGTH} for the header, and the payload. */
     public int length() {
         return HEADER_LENGTH + text.length();
     }
 
-    /** The bytes for the line, in an array of the caller's own; digits are written in upper case. */
+    /** The frame's bytes on the line, in a new array; the digits of the length are in upper case. */
     public byte[] toBytes() {
         byte[] bytes = new byte[length()];
         copy(PREAMBLE, bytes, 0);

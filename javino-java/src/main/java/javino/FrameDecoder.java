@@ -116,7 +116,7 @@ public final class FrameDecoder {
         return isReading() ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
     }
 
-    /** Forgets all bytes held, as if the next one were the line's first. The counts stay. */
+    /** Forgets all held bytes, as if the next byte were the line's first. The counts stay. */
     public void reset() {
         discarded += end - start - delivered;
         clear();
@@ -132,7 +132,7 @@ public final class FrameDecoder {
         return discarded;
     }
 
-    /** Sets whether a frame may begin at any byte from now on, or only at a byte after {@link #quiet}. */
+    /** Sets where frames may begin from now on: at any byte, or only right after a silence, see {@link #quiet}. */
     void anywhere(boolean value) {
         isAnywhere = value;
     }
@@ -149,7 +149,7 @@ public final class FrameDecoder {
         return start == end;
     }
 
-    /** Takes all held bytes if they begin with a frame of the other protocol; else returns none. */
+    /** Removes and returns all held bytes if they begin with a frame of the other protocol; else returns no bytes. */
     byte[] takeOther() {
         if (!isOtherAt(start)) {
             return new byte[0];
@@ -173,7 +173,7 @@ public final class FrameDecoder {
         decide();
     }
 
-    /** Decides on as many bytes as possible. The rest is the beginning of a frame, or a frame to be confirmed. */
+    /** Decides on as many bytes as possible. What stays is the beginning of a frame, or a frame to be confirmed. */
     private void decide() {
         boolean progress = true;
         while (progress && start < end && !isOtherAt(start)) {

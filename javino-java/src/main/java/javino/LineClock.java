@@ -31,7 +31,7 @@ public interface LineClock {
         return new ReentrantLock(fair);
     }
 
-    /** Runs {@code action} when {@code nanos} of this clock have passed, on a thread of the clock's choice. The action does not wait. */
+    /** Runs {@code action} when {@code nanos} of this clock have passed, on a thread of the clock's choice. The action must not wait. */
     default void schedule(long nanos, Runnable action) {
         CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run)
                 .execute(action);

@@ -6,7 +6,7 @@ package javino;
  * @param baud bits a second, at least 1; boards in the field use 9600
  */
 public record LineSettings(int baud) {
-    /** The rate of a board whose settings name none. */
+    /** The baud rate if the settings of a board give none. */
     public static final int DEFAULT_BAUD = 9600;
 
     private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit

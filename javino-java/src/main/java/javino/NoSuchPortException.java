@@ -1,6 +1,6 @@
 package javino;
 
-/** There is no port of that name; the message lists the ports there are. */
+/** There is no port of that name; the message lists the present ports. */
 public final class NoSuchPortException extends PortException {
     private static final long serialVersionUID = 1L;
 

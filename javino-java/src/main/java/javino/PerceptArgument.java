@@ -64,15 +64,15 @@ public sealed interface PerceptArgument {
      * The argument is a number: {@code cm 0..400}.
      *
      * @param unit the number's unit; empty: no unit is given
-     * @param min the least that it can be; empty: there is no limit
-     * @param max the most that it can be; empty: there is no limit
+     * @param min the least value; empty: there is no limit
+     * @param max the greatest value; empty: there is no limit
      */
     record Quantity(String unit, Optional<BigDecimal> min, Optional<BigDecimal> max) implements PerceptArgument {
         private static final String NUMBER = "-?[0-9]{1,30}(?:\\.[0-9]{1,30})?";
         private static final String UNIT = "(?![0-9_+-])[!-~\\xa1-\\xff&&[^.,;()|#\"'\\[\\]{}]]++";
         private static final Pattern TEXT =
                 Pattern.compile("(?:(" + UNIT + ") ++)?(" + NUMBER + ")? *+\\.\\. *+(" + NUMBER + ")?");
-        /** A number as percepts have it. */
+        /** A number as it is written in percepts. */
         private static final Pattern NUMERAL = Pattern.compile("[+-]?[0-9]+(?:\\.[0-9]+)?(?:[eE][+-]?[0-9]+)?");
 
         public Quantity {
@@ -113,11 +113,11 @@ public sealed interface PerceptArgument {
         }
     }
 
-    /** The reason why the text of a percept's argument is not as described, such as "more than 400"; empty: it is as described. */
+    /** Returns how the text of a percept's argument deviates from this description, as "more than 400"; empty: it does not. */
     Optional<String> deviationOf(String value);
 
     /**
-     * Reads the text of an argument, see {@link PerceptKind}.
+     * Reads the description of an argument, see {@link PerceptKind}.
      *
      * @throws IllegalArgumentException if it cannot be read
      */

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
  *
  * <table>
  * <caption>Arguments</caption>
- * <tr><th>text</th><th>percepts have there</th></tr>
+ * <tr><th>text</th><th>value in percepts</th></tr>
  * <tr><td>{@code _}</td><td>anything</td></tr>
  * <tr><td>{@code front|left}, {@code 0|1}, {@code sonar}</td><td>one of these atoms or numbers</td></tr>
  * <tr><td>{@code 0..400}, {@code -0.5..}, {@code ..}</td><td>a number in this range; a limit may be missing</td></tr>
@@ -39,7 +39,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     /**
      * Reads the text of one kind, with or without a {@code ;} behind it.
      *
-     * @throws IllegalArgumentException if the text cannot be read; the message names the place and what could stand there
+     * @throws IllegalArgumentException if the text cannot be read; the message says where, and what is allowed there
      */
     public static PerceptKind parse(String text) {
         var parts = TEXT.matcher(text.strip());

@@ -15,8 +15,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
     }
 
     /**
-     * Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is passed over. {@code f()} has no
-     * arguments.
+     * Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is ignored. {@code f()} has no arguments.
      */
     public static PerceptTerm of(String text) {
         int end = 0;
@@ -45,7 +44,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return text.substring(from, end);
     }
 
-    /** The texts of an answer, each with its {@code ;}. A rest behind the last {@code ;} is a text too. */
+    /** The texts of an answer, each with its {@code ;}. Text behind the last {@code ;} counts as one more. */
     public static List<String> split(String answer) {
         List<String> texts = new ArrayList<>();
         Nesting nesting = new Nesting();
@@ -63,7 +62,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return texts;
     }
 
-    /** Returns true if all brackets and quotes of {@code text} are closed, and no bracket is closed that is not open. */
+    /** Returns true if every bracket and quote that opens in {@code text} is closed, and every closing bracket has an opening one. */
     public static boolean isClosed(String text) {
         Nesting nesting = new Nesting();
         text.chars().forEach(c -> nesting.pass((char) c));
@@ -93,7 +92,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         private int depth;
         private char quote; // 0: none
         private boolean isEscaped;
-        private boolean hasExcess; // a bracket was closed that was not open
+        private boolean hasExcess; // there was a closing bracket without an opening one
 
         void pass(char c) {
             if (quote != 0) {

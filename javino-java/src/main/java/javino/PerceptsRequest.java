@@ -5,16 +5,16 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The request for percepts: {@code getPercepts} asks for all, {@code getPercepts(dist,light)} asks a board of version 2 for those of some
- * functors.
+ * The request for percepts: {@code getPercepts} asks for all, {@code getPercepts(dist,light)} asks a board of version 2 for the percepts of
+ * some functors.
  */
 public final class PerceptsRequest {
-    /** Asks for all percepts. Every board answers it, and none acts on it. */
+    /** Asks for all percepts. Every board answers this request; no board takes it for an action. */
     public static final String ALL = "getPercepts";
 
     /**
-     * Asks a board of version 2 for the kinds of its percepts. A board that describes no kinds takes the question for a request for some
-     * functors.
+     * Asks a board of version 2 for the kinds of its percepts. A board that cannot describe kinds reads this as a request for percepts of
+     * some functors.
      */
     public static final String KINDS = ALL + "(?)";
 

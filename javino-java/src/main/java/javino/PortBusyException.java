@@ -1,6 +1,6 @@
 package javino;
 
-/** The port is open already; {@link #owner()} has it. */
+/** The port is already open; {@link #owner()} names its owner. */
 public final class PortBusyException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package javino;
 
 import java.io.IOException;
 
-/** A failure of one port. The subclass is its kind; the message says what failed, and what to do. */
+/** A failure of one port. The subclass tells the kind of failure; the message says what failed, and what to do. */
 public abstract class PortException extends IOException {
     private static final long serialVersionUID = 1L;
 

@@ -60,7 +60,7 @@ public final class Services {
         }
     }
 
-    /** Reports once that a service is left out since another has its name. */
+    /** Reports once that a service is left out because another service has the same name. */
     public static void leftOut(Class<?> service, String name, Class<?> other) {
         if (TOLD.add(service.getName() + ' ' + name)) {
             LOG.log(

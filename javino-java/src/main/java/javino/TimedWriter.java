@@ -31,7 +31,7 @@ final class TimedWriter {
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
     private final AtomicInteger underWay =
-            new AtomicInteger(); // the thread's writes that have not returned, or not begun
+            new AtomicInteger(); // number of the thread's writes that wait or are being done
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /** @param driver writes without a time limit; returns the number of written bytes: all, fewer, or -1 on an error */
@@ -44,7 +44,7 @@ final class TimedWriter {
         });
     }
 
-    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, they may still be on their way out. */
+    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, the bytes may still leave. */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         // set by the thread when it begins to write, or by the caller when it gives up
@@ -87,7 +87,7 @@ final class TimedWriter {
         return driver.applyAsInt(bytes) == bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
     }
 
-    /** Returns whether a write of this writer's thread has not returned, even one that is {@link Outcome#TOO_LATE}. */
+    /** Returns whether this writer's thread has a write to do or to end, even a write that was {@link Outcome#TOO_LATE}. */
     boolean isWriting() {
         return underWay.get() > 0;
     }

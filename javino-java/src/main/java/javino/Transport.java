@@ -11,7 +11,7 @@ public interface Transport extends AutoCloseable {
     /** The port's name as a person would give it, for messages: {@code ttyACM0}, {@code sim:robot}. */
     String name();
 
-    /** The rate this line was opened with. */
+    /** The settings with which this line was opened. */
     LineSettings line();
 
     /** Returns whether the far end may vanish unnoticed, as in a network. Such a line is worth reopening after a long silence. */
@@ -34,7 +34,7 @@ public interface Transport extends AutoCloseable {
      * @param len the most bytes to read, at least 1
      * @param timeoutMillis milliseconds to wait at most; 0 takes only bytes that are there already
      * @return bytes read, 1 to {@code len}, or 0 when the time is over
-     * @throws PortGoneException if the line is closed, or its device gone, which is noticed within a second
+     * @throws PortGoneException if the line is closed, or its device has gone; a lost device is noticed within a second
      */
     int read(byte[] b, int off, int len, int timeoutMillis) throws PortException;
 

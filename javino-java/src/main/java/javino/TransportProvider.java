@@ -26,7 +26,7 @@ public interface TransportProvider {
         return scheme() + ':' + address;
     }
 
-    /** The ports there are now, by names for {@link Transports#open}; none if they cannot be listed, as by default. */
+    /** The names of the present ports, as {@link Transports#open} takes them; none if ports cannot be listed, as by default. */
     default List<String> ports() {
         return List.of();
     }
@@ -41,8 +41,8 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns one name for all the names of one device, whatever their schemes. For a device of another provider, it returns that
-     * provider's name.
+     * Returns one name for all the names of one device, whatever their schemes. If the device belongs to another provider, returns that
+     * provider's name for the device.
      *
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */
@@ -51,16 +51,16 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns whether {@link #open} would find something to open. Callers repeat this while a device is missing, so it is cheap and opens
-     * nothing.
+     * Returns whether {@link #open} would find something to open. Callers ask this again and again while a device is missing, so this
+     * method is cheap and opens nothing.
      *
-     * @return true also if only opening the port could tell, as by default
+     * @return true also if only {@link #open} could find out, as by default
      */
     default boolean isPresent(String address) {
         return true;
     }
 
-    /** The settings to open a port with if no rate is given: 9600 baud, unless ports of this kind have others. */
+    /** The settings for opening a port if no rate is given. By default 9600 baud. */
     default LineSettings usualLine() {
         return LineSettings.defaults();
     }

@@ -25,7 +25,7 @@ public final class Transports {
     /**
      * Opens {@code port}.
      *
-     * @throws NoSuchPortException if there is no such port or scheme; the message lists those there are
+     * @throws NoSuchPortException if there is no such port or scheme; the message lists the present ones
      * @throws PortBusyException if the port is open already
      * @throws PortPermissionException if this user may not open it
      * @throws PortFaultException if the driver refuses for another reason
@@ -35,7 +35,7 @@ public final class Transports {
         return provider(port, name).open(name.address(), line);
     }
 
-    /** The ports there are now: serial devices, simulated boards, and those that other providers list. */
+    /** The names of the present ports: serial devices, simulated boards, and the ports that other providers list. */
     public static List<String> ports() {
         List<String> ports = new ArrayList<>();
         providers().values().forEach(provider -> ports.addAll(provider.ports()));
@@ -47,7 +47,7 @@ public final class Transports {
      * now; a scheme is written in front. Neither the port nor its scheme need exist.
      */
     public static String canonicalName(String port) {
-        return ask(port, TransportProvider::canonicalName, port); // a name without a device stands for itself
+        return ask(port, TransportProvider::canonicalName, port); // without a provider the name stays as it is
     }
 
     /** Returns whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
@@ -55,7 +55,7 @@ public final class Transports {
         return ask(port, TransportProvider::isPresent, false);
     }
 
-    /** The settings to open {@code port} with if no rate is given, see {@link TransportProvider#usualLine}. */
+    /** The settings for opening {@code port} if no rate is given, see {@link TransportProvider#usualLine}. */
     public static LineSettings usualLine(String port) {
         return ask(port, (provider, address) -> provider.usualLine(), LineSettings.defaults());
     }

@@ -1,9 +1,9 @@
 /**
  * Messages between a program and a microcontroller board, over a serial line, in versions 1 and 2 of the Javino protocol.
  *
- * <p>{@link javino.link.Link} is the way in: it opens a port for one owner, asks the board until it answers, and exchanges messages at the
- * pace of the line. {@link javino.link.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes, and
- * {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
+ * <p>Programs use {@link javino.link.Link}, which opens a port for one owner, asks the board until it answers, and exchanges messages at
+ * the pace of the line. {@link javino.link.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes,
+ * and {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
  *
  * <pre>
  * board --bytes--&gt; Transport --&gt; FrameDecoder --&gt; Link --messages--&gt; program
@@ -18,9 +18,9 @@
  * <table>
  *   <caption>The exceptions. All are {@link javino.PortException}s, which know the port's name</caption>
  *   <tr><th>exception</th><th>thrown when</th><th>by</th><th>then the port</th></tr>
- *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists those there are</td><td>opening</td>
+ *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists the present ones</td><td>opening</td>
  *     <td>is not open</td></tr>
- *   <tr><td>{@link javino.PortBusyException}</td><td>someone has it: {@link javino.PortBusyException#owner()}</td><td>opening</td>
+ *   <tr><td>{@link javino.PortBusyException}</td><td>it is open already: {@link javino.PortBusyException#owner()}</td><td>opening</td>
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortPermissionException}</td><td>this user may not open it; says how to change that</td><td>opening</td>
  *     <td>is not open</td></tr>
@@ -38,7 +38,7 @@
  *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.PortInterruptedException}</td><td>the calling thread was interrupted</td><td>any call that waits</td>
  *     <td>stays usable</td></tr>
- *   <tr><td>{@link javino.PortGoneException}</td><td>it was closed, or its device is not there any more</td><td>reading, writing</td>
+ *   <tr><td>{@link javino.PortGoneException}</td><td>the port was closed, or its device has gone</td><td>reading, writing</td>
  *     <td>can be opened anew when the device is back</td></tr>
  * </table>
  */

@@ -25,11 +25,11 @@ import javino.wire.WireFrame;
  * }
  * }</pre>
  *
- * <p>It is strict: {@link #verify} and {@link #close} fail if it missed an {@linkplain #expect expected} message, lost a message (see
- * {@link #queueSize}), or received a surprising message. A message is surprising if no rule covers it, the test did not expect it, and did
- * not take it with {@code awaitMessage}. {@link #lenient} turns this off.
+ * <p>The board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message did not come, a message was
+ * lost (see {@link #queueSize}), or a surprising message came. A message is surprising if no rule covers it, and the test neither expects
+ * it nor takes it with {@code awaitMessage}. {@link #lenient} turns this off.
  *
- * <p>By default it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
+ * <p>By default the board starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
  * without sensors. The line has the rate with which the port is opened. All methods are safe on any thread; rules may be changed while the
  * board runs.
  */
@@ -84,26 +84,26 @@ public final class FakeBoard implements AutoCloseable {
         return script.rule(message, message::equals);
     }
 
-    /** Sets how the board handles messages of a kind. A rule for one message goes first; among rules for kinds the earliest wins. */
+    /** Sets how the board handles messages of a kind. A rule for one message precedes; of several rules for kinds the earliest applies. */
     public Rule whenAsked(Predicate<String> kind) {
         return script.rule(null, kind);
     }
 
-    /** Expects a message once; two calls expect it twice. */
+    /** Expects a message once; after two calls, twice. */
     public FakeBoard expect(String message) {
         record.expect(message);
         return this;
     }
 
-    /** Accepts unexpected messages, and the lack of expected ones. */
+    /** Accepts that unexpected messages come, and that expected messages do not come. */
     public FakeBoard lenient() {
         strict = false;
         return this;
     }
 
     /**
-     * Sets how many received messages a busy board holds; one more overwrites the oldest, see {@link #overwritten}. Boards in the field
-     * hold one message. Frames of version 2 never count as overwritten, since the computer repeats them.
+     * Sets how many received messages a busy board holds; a further message overwrites the oldest, see {@link #overwritten}. Boards in the
+     * field hold one message. Frames of version 2 never count as overwritten, since the computer repeats them.
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
@@ -115,8 +115,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board speak version 2 with computers that speak it, and version 1 with others. In version 2 the board acknowledges a command
-     * when it has handled it, and handles a repeated command only once. Answers may be longer than a frame. The answer to a command goes
+     * Lets the board speak version 2 with computers that speak it, and version 1 with others. In version 2 the board acknowledges each
+     * command after handling it, and handles a repeated command only once. Answers may be longer than a frame. The answer to a command goes
      * out as unasked percepts. Call this before the port is opened.
      */
     public FakeBoard version2() {
@@ -155,8 +155,8 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Lets the board of version 2 watch at most {@code rules} critical rules; 0 by default. Every 5 ms, or in each round of a slower
-     * {@linkplain #loopTakes loop}, it compares them with its answer to {@code getPercepts}. It handles and records a reflex like a
-     * received command. Call this before the port is opened.
+     * {@linkplain #loopTakes loop}, the board compares the rules with its answer to {@code getPercepts}. The board handles and records a
+     * reflex like a received command. Call this before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
         sketch.rules = rules;
@@ -180,7 +180,7 @@ public final class FakeBoard implements AutoCloseable {
         sketch.stall(true);
     }
 
-    /** Lets the board go on where it {@linkplain #stall stopped}. */
+    /** Lets the board read again after {@link #stall}. */
     public void resume() {
         sketch.stall(false);
     }
@@ -195,7 +195,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts bytes on the line as they are: noise, half a frame.
+     * Puts bytes on the line unchanged, such as noise or half a frame.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -204,7 +204,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts a frame of version 2 on the line, in the current session. The board would not send this frame by itself.
+     * Puts a frame of version 2 on the line, in the current session: one that the board would not send by itself.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -240,22 +240,22 @@ public final class FakeBoard implements AutoCloseable {
         return record.receivedMessages();
     }
 
-    /** The messages that later ones overwrote before the board got to them. */
+    /** The messages that later messages overwrote before the board handled them. */
     public List<String> overwritten() {
         return record.overwritten();
     }
 
     /**
-     * Takes the next message that no rule covers, and waits for it if necessary.
+     * Takes the next message that no rule covers; waits for one if necessary.
      *
      * @param timeoutMillis milliseconds to wait at most
-     * @throws AssertionError if none came; lists those that came
+     * @throws AssertionError if no such message came; lists the messages that came
      */
     public String awaitMessage(int timeoutMillis) {
         return record.take(message -> true, "a message", timeoutMillis);
     }
 
-    /** Takes {@code message}, and waits for it if necessary; leaves others, as {@link #awaitMessage(int)}. */
+    /** Like {@link #awaitMessage(int)}, but takes only {@code message}; other messages stay. */
     public void awaitMessage(String message, int timeoutMillis) {
         record.take(message::equals, '"' + message + '"', timeoutMillis);
     }
@@ -283,7 +283,7 @@ public final class FakeBoard implements AutoCloseable {
         }
     }
 
-    /** How a board handles a message: it answers after a delay, or stays silent. */
+    /** Tells how a board handles a message: answers after a delay, or stays silent. */
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
@@ -294,15 +294,15 @@ public final class FakeBoard implements AutoCloseable {
 
         Rule() {}
 
-        /** Lets the board take {@code millis} milliseconds before it answers; it does nothing else in that time. */
+        /** Lets the board take {@code millis} milliseconds before it answers. In that time the board does nothing else. */
         public Rule after(int millis) {
             delayMillis = millis;
             return this;
         }
 
         /**
-         * Answers with these messages in turn; the last one is repeated. The board compares the rules that it
-         * {@linkplain FakeBoard#holdsRules holds} with the answer whose turn is next.
+         * Answers with these messages in turn, and repeats the last one. The board compares the rules that it
+         * {@linkplain FakeBoard#holdsRules holds} with the next answer.
          */
         public Rule answer(String first, String... next) {
             FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);
@@ -329,15 +329,15 @@ public final class FakeBoard implements AutoCloseable {
             return this;
         }
 
-        /** Answers with bytes as they are: a damaged frame, half of a frame, two at once. Characters are bytes (ISO-8859-1). */
+        /** Answers with bytes unchanged, such as a damaged frame, half a frame, or two frames. Each character is a byte (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
             raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
             return this;
         }
 
         /**
-         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Before the
-         * report it answers requests, but carries out no other command.
+         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Until the
+         * report, the board answers requests but carries out no other command.
          */
         public Rule outcomeAfter(int millis) {
             outcomeMillis = millis;

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javino.LineClock;
 
-/** The lock of a {@link FakeBoard}; threads wait under it for changes of the board's state, by the line's clock. Safe on any thread. */
+/** The lock of a {@link FakeBoard}, with which threads wait for changes of the board's state, by the line's clock. Safe on any thread. */
 final class FakeBoardMonitor {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -33,12 +33,12 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. Calls {@code reached} under the lock about every millisecond, since other state may change the
-     * result.
+     * Waits until {@code reached} is true. Calls {@code reached} under the lock about every millisecond, since its result may depend on
+     * state that the lock does not guard.
      *
      * @param what completes "interrupted while ..."
      * @return false if {@code reached} is still false after {@code timeoutMillis}
-     * @throws AssertionError if the thread is interrupted; it stays interrupted
+     * @throws AssertionError if the thread is interrupted, as it then remains
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {
         lock.lock();

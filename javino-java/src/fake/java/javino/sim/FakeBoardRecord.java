@@ -8,7 +8,8 @@ import java.util.stream.Collectors;
 import javino.LineClock;
 
 /**
- * The messages that a {@link FakeBoard} received, and those among them that no rule, expectation or test accounts for. Safe on any thread.
+ * The messages that a {@link FakeBoard} received. A list of its own has those that no rule, expectation or test accounts for. Safe on any
+ * thread.
  */
 final class FakeBoardRecord {
     private final String port;
@@ -17,7 +18,7 @@ final class FakeBoardRecord {
     private final long madeNanos;
     private final List<ReceivedMessage> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
-    private final List<String> unaccounted = new ArrayList<>(); // covered by no rule, not expected, not taken yet
+    private final List<String> unaccounted = new ArrayList<>(); // not covered by a rule, not expected, not taken yet
     private final List<String> expected = new ArrayList<>();
 
     FakeBoardRecord(String port, FakeBoardMonitor monitor, LineClock clock) {
@@ -31,7 +32,7 @@ final class FakeBoardRecord {
         monitor.locked(() -> unaccounted.remove(message) || expected.add(message));
     }
 
-    /** @param covered whether a rule covers it */
+    /** @param covered whether a rule covers the message */
     void received(String message, boolean covered) {
         monitor.locked(() -> {
             received.add(new ReceivedMessage(message, clock.nanos()));
@@ -56,7 +57,7 @@ final class FakeBoardRecord {
         return monitor.locked(() -> List.copyOf(overwritten));
     }
 
-    /** Takes the first {@code wanted} message that is not accounted for; {@code what} describes it to a person. */
+    /** Takes the first unaccounted message that is {@code wanted}; {@code what} describes the wanted message to a person. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
         List<String> taken = new ArrayList<>();
         boolean came = monitor.await(

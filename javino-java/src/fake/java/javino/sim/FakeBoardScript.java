@@ -16,7 +16,7 @@ final class FakeBoardScript {
     /**
      * Adds a rule.
      *
-     * @param message the one message that the rule is for; null: several
+     * @param message the only message that the rule covers; null: there are several
      */
     synchronized FakeBoard.Rule rule(String message, Predicate<String> kind) {
         Entry entry = new Entry(message, kind, new FakeBoard.Rule());
@@ -38,7 +38,7 @@ final class FakeBoardScript {
                 .findFirst();
     }
 
-    /** Answers in turn; the last one is repeated. Safe on any thread. */
+    /** Gives answers in turn, and repeats the last one. Safe on any thread. */
     static final class InTurn {
         private final List<String> answers;
         private final AtomicInteger turn = new AtomicInteger();
@@ -49,7 +49,7 @@ final class FakeBoardScript {
             answers = List.copyOf(all);
             answers.stream()
                     .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
-                    .forEach(Frame::of); // refuses an unfit text early, in the test's call
+                    .forEach(Frame::of); // so that a text that fits into no frame fails early, in the test's call
         }
 
         /** Returns the answer whose turn it is. */

@@ -17,7 +17,7 @@ import javino.wire.WireFrame;
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
 
-    // the methods of FakeBoard that set these fields explain them
+    // explained by the methods of FakeBoard that set these fields
     volatile int queueSize = Integer.MAX_VALUE;
     volatile int loopMillis;
     volatile int bootMillis;
@@ -34,7 +34,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private BoardLoop open; // guarded by the monitor, as is stalled
     private boolean stalled;
 
-    /** @param port the port that exceptions name */
+    /** @param port the port's name, for exceptions */
     FakeBoardSketch(
             String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
         this.port = port;
@@ -69,7 +69,7 @@ final class FakeBoardSketch implements SimulatedBoard {
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            // the board may be plugged in and open again by now
+            // by now the board may be plugged in and opened again
             monitor.locked(() -> open = open == loop ? null : open);
         }
     }
@@ -81,11 +81,11 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    /** One use of the port. */
+    /** One run, from the opening of the port to its end. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
-        private FakeBoard.Rule begun; // the rule whose outcome is reported later; null: none
-        private long action; // the action of that rule; 0: not known yet
+        private FakeBoard.Rule begun; // the rule of the action whose outcome is reported later; null: none
+        private long action; // the number of that action; 0: not known yet
         private long dueNanos;
 
         Run(Transport line) {
@@ -158,7 +158,7 @@ final class FakeBoardSketch implements SimulatedBoard {
         private FakeBoard.Rule begin(String message) {
             FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
             record.received(message, rule != null);
-            loop.markHandled(); // from here on the received messages do not change
+            loop.markHandled(); // done last: now a test may look at the received messages
             return rule;
         }
 
@@ -206,8 +206,8 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     /**
-     * Waits until the board has received all bytes sent to it. Does not wait for a board that is stalled or does not run.
-     * @param starting whether the board's thread lives, so that this program runs or is about to run
+     * Waits until the board has received all bytes sent to it. Does not wait if the board is stalled or does not run.
+     * @param starting whether the board's thread is alive, so that this program runs or is about to run
      */
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);

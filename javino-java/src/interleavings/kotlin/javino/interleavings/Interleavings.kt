@@ -10,17 +10,17 @@ import kotlin.concurrent.thread
 
 /**
  * Runs [block], which calls [concurrently], in many interleavings of its threads. The system property `argo.interleavings` is the number of
- * interleavings. Fails at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
+ * interleavings. Fails at the first interleaving in which [block] throws or its threads deadlock, and shows that interleaving.
  *
- * The block first runs once unchecked: the first use of classes is not part of the check.
+ * The block first runs once unchecked, so that the loading of classes is not part of the check.
  *
- * @param divisor divides the number of interleavings, for a block that is long
+ * @param divisor the number by which the number of interleavings is divided, for a long block
  */
 internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     block()
     checked = block
     val options = ModelCheckingOptions()
-        .iterations(0) // only the scenario below
+        .iterations(0) // no random scenarios, only the one below
         .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 20) / divisor))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
@@ -31,7 +31,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     options.check(CheckedBlock::class.java)
 }
 
-/** Does all [work] at once, each on a thread of its own. Returns when all is done; throws the exception of work that failed. */
+/** Runs all of [work] at once, each function on a thread of its own. Returns when all have ended; throws the exception of a failed one. */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()
@@ -49,13 +49,13 @@ internal fun concurrently(vararg work: () -> Unit) {
 }
 
 /**
- * The most rounds of a loop that waits for no other thread. After this number of rounds Lincheck lets another thread run. With its default
- * of ten, Lincheck takes the loops over a frame's bytes for waiting loops, and stops exploring. A blocked thread makes this number of
- * rounds before it gives way, so a higher number costs time.
+ * The most rounds of a loop that waits for no other thread. After this number of rounds Lincheck lets another thread run. With the default
+ * of ten, Lincheck would take a loop over a frame's bytes for a waiting loop, and stop exploring. A thread that really waits makes this
+ * number of rounds before another runs, so a higher number costs time.
  */
 private const val LONGEST_LOOP = 40
 
-/** Packages of classes that one thread at a time uses: Lincheck switches no threads in them. */
+/** Packages whose classes only one thread at a time uses: Lincheck switches no threads in them. */
 private val ATOMIC = listOf(
     "jason.", "argo.filters.", "javino.session.", "javino.sim.", "javino.wire.", "kotlin.collections.", "kotlin.text.",
 )

@@ -12,7 +12,7 @@ final class ActionCheck {
 
     private ActionCheck() {}
 
-    /** Returns, for a message to a person, why a board with these actions would refuse the command; null: it would not. */
+    /** Returns a reason, in words, why a board with these actions would refuse the command; null: it would not. */
     static String trouble(String command, List<BoardAction> actions) {
         if (actions.isEmpty()) {
             return null;
@@ -25,7 +25,7 @@ final class ActionCheck {
         int arguments = term.arguments().size();
         BoardAction known = null;
         for (BoardAction action : actions) {
-            known = action.name().equals(name) ? action : known; // the newest action of a name counts
+            known = action.name().equals(name) ? action : known; // of several actions of one name the newest counts
         }
         if (known == null) {
             return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "
@@ -37,7 +37,7 @@ final class ActionCheck {
     }
 
     /**
-     * Returns, for a message to a person, why a board has refused the command; {@code actions} is empty if the board has registered none.
+     * Says in words why a board may have refused the command. {@code actions} is empty if the board has registered no actions.
      */
     static String refusal(String command, List<BoardAction> actions) {
         if (!PerceptTerm.isClosed(command)) {

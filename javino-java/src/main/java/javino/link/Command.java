@@ -8,7 +8,7 @@ import javino.wire.CommandItem;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command implements SessionCommand {
-    /** The progress of a command: a waiting one can be withdrawn, one that has begun goes out. */
+    /** The progress of a command. Only a waiting command can be withdrawn; a command that has begun goes out. */
     private enum State {
         WAITING,
         BEGUN,
@@ -24,7 +24,7 @@ final class Command implements SessionCommand {
     private long number;
     private long beganBehind;
 
-    /** @param now time of its submission, by the link's clock */
+    /** @param now time of the command's submission, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
         this(frame, null, options, now);
     }
@@ -41,7 +41,7 @@ final class Command implements SessionCommand {
         submittedAt = now;
     }
 
-    /** The command's frame in version 1. For a {@link #rule}, which version 1 cannot carry, only its text and its length count. */
+    /** The command's frame in version 1. Version 1 cannot carry a {@link #rule}; the frame then only serves for its text and length. */
     Frame frame() {
         return frame;
     }
@@ -64,7 +64,7 @@ final class Command implements SessionCommand {
         return submittedAt;
     }
 
-    /** Records this command's number: how many have been submitted, this one included. */
+    /** Records this command's number among all submitted commands: the first has number 1. */
     void submitted(long count) {
         number = count;
     }
@@ -106,7 +106,7 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks the command as going out behind the first {@code bytes} bytes of its line. The command must be waiting. */
+    /** Marks the command as begun, after {@code bytes} bytes were written to the line. The command must be waiting. */
     void begin(long bytes) {
         state = State.BEGUN;
         beganBehind = bytes;
@@ -117,7 +117,7 @@ final class Command implements SessionCommand {
         return beganBehind;
     }
 
-    /** Marks the command as never going out, unless it has begun. */
+    /** Withdraws the command, so that it never goes out. Does nothing if the command has begun. */
     void withdraw() {
         if (state == State.WAITING) {
             state = State.WITHDRAWN;

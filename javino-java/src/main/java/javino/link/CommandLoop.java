@@ -18,12 +18,12 @@ import javino.wire.CommandItem;
 
 /**
  * Sends the queued commands of a line, on the threads that call {@link #run} and {@link #sendAndAwait}. Each free thread takes the next
- * command, its own or another's. If the line is free, the submitting thread writes its command at once. The thread that learns an outcome
- * reports it, outside of any lock. An exception of a dependent ends no thread.
+ * command, even one of another thread. If the line is free, the submitting thread writes its command at once. The thread that learns an
+ * outcome reports it, outside of any lock. If code that depends on an outcome throws, no thread ends.
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
-    /** The most milliseconds that a command waits while nothing gets through, and again while the driver takes nothing. */
+    /** The most milliseconds that a command waits while no command gets through, and then for the driver to take its bytes. */
     static final int STUCK_MILLIS = 5000;
 
     private static final long STUCK_NANOS = TimeUnit.MILLISECONDS.toNanos(STUCK_MILLIS);
@@ -34,9 +34,9 @@ final class CommandLoop {
     private final SessionLine line;
     private final LineClock clock;
     private final Monitor.Change<PortException> start;
-    private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
+    private Long toldNanos; // the line's movedNanos() when it was last logged that no command gets through
 
-    /** @param start returns when a command may be sent to the board */
+    /** @param start waits until a command may be sent to the board */
     CommandLoop(
             Monitor monitor,
             Transport transport,
@@ -115,7 +115,7 @@ final class CommandLoop {
         }
     }
 
-    /** Sends a request to a board of version 1, if the next command may go out only behind a request. */
+    /** Sends a request to a board of version 1, if the next command may only follow a request. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;
@@ -125,12 +125,12 @@ final class CommandLoop {
             line.hasAsked();
         } catch (PortTimeoutException
                 | RuntimeException
-                | Error trouble) { // a transport throws the last two; later commands still go out
+                | Error trouble) { // thrown by a transport, except for the timeout; later commands still go out
             fail(writer.withdrawNext(), trouble);
         }
     }
 
-    /** The time at which waiting commands are given up, unless a command gets through before. */
+    /** The time at which waiting commands are given up, unless a command gets through earlier. */
     private long patienceEnds() {
         long now = clock.nanos();
         if (writer.head() == null) {
@@ -141,7 +141,7 @@ final class CommandLoop {
         return (since - moved > 0 ? since : moved) + STUCK_NANOS;
     }
 
-    /** Fails commands that waited {@link #STUCK_NANOS} while nothing got through, but not those with a time limit. */
+    /** Fails commands without a time limit that have waited {@link #STUCK_NANOS} while no command got through. */
     private void giveUpStuck() {
         long now = clock.nanos();
         if (patienceEnds() - now > 0) {
@@ -210,7 +210,7 @@ final class CommandLoop {
                         + "\" took its place, so it was not sent");
     }
 
-    /** Withdraws a command whose time is over, if it has not begun to go out. Returns the exception with which the command fails. */
+    /** Withdraws a command whose time is over, unless it has begun to go out. Returns the exception with which the command fails. */
     private PortException timeOver(Command command) {
         String subject = '"' + command.text() + '"';
         return writer.withdraw(command)

@@ -9,13 +9,13 @@ import java.util.stream.Stream;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
-    // commands are taken in front, and added in the middle
+    // commands are removed at the front, and added also in the middle
     private final LinkedList<Command> urgent = new LinkedList<>();
     private final LinkedList<Command> ordinary = new LinkedList<>();
     private long submitted;
     private long finished;
 
-    /** Queues a command, at the place of the first equally urgent command that it replaces. Returns all commands that it replaces. */
+    /** Queues a command, in place of the first equally urgent command that it replaces, if any. Returns all replaced commands. */
     List<Command> add(Command command) {
         List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
         List<Command> its = command.isUrgent() ? urgent : ordinary;
@@ -54,7 +54,7 @@ final class CommandQueue {
         return submitted;
     }
 
-    /** Returns whether at least {@code count} commands are over. */
+    /** Returns whether at least {@code count} commands have ended. */
     boolean areOver(long count) {
         return finished >= count;
     }

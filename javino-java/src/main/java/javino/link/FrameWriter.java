@@ -16,9 +16,9 @@ import javino.Transport;
 import javino.session.WaitingCommands;
 
 /**
- * Gives the commands and requests of a line their turns, when the {@link Pacer} lets them, and writes their frames. A {@link SessionLine}
- * takes the commands from this writer. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while
- * bytes are written.
+ * Decides whose turn it is among a line's commands and requests, waits as the {@link Pacer} says, and writes the frames. A
+ * {@link SessionLine} takes the commands from this writer. In version 1 requests go out before waiting commands. Safe on any thread; no
+ * lock is held while bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
     /** The kinds of frames that the pacer tells apart: actions and requests of version 1, and frames of version 2. */
@@ -28,7 +28,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         SESSION
     }
 
-    /** Makes a frame right before it is written; null: there is nothing to write any more. */
+    /** Makes a frame right before the frame is written; null: there is nothing to write any more. */
     interface Content {
         byte[] make() throws PortException;
     }
@@ -45,7 +45,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     private volatile long outcomeNanos;
     private long writtenBytes;
     private long readBytes; // number of written bytes that the far end has certainly read
-    private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
+    private final AtomicBoolean isRefused = new AtomicBoolean(); // true: the driver did not take the last frame in time
     private String endReason; // null while the line is there
 
     FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
@@ -63,7 +63,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Withdraws a command; false: it has begun to go out. */
+    /** Withdraws a command; returns false if the command has begun to go out. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
@@ -98,8 +98,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true if the thread
-     * begins the frame under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
+     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This holds until the lock is given
+     * back, so the thread begins the frame before, with {@link #beginFrame}. The caller holds the monitor's lock.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();
@@ -113,7 +113,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> writtenBytes);
     }
 
-    /** Records that the far end has proved to have read the first {@code bytes} of all that was {@link #written}. */
+    /** Records that the far end has certainly read the first {@code bytes} of all {@link #written} bytes. */
     void provedRead(long bytes) {
         monitor.change(() -> readBytes = Math.max(readBytes, bytes));
     }
@@ -151,7 +151,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return outcomeNanos;
     }
 
-    /** Waits, at most {@code nanos}, until the commands that have been submitted so far are over. */
+    /** Waits, at most {@code nanos}, until the commands that have been submitted so far have ended. */
     void awaitCommandsSoFar(long nanos) throws PortException {
         monitor.getInterruptibly(() -> {
             long submitted = commands.submitted();
@@ -171,10 +171,10 @@ final class FrameWriter implements WaitingCommands<Command> {
      * Waits for its turn, ahead of waiting commands, and writes a frame.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis milliseconds to wait at most for the turn, not counting the pacer's hold on a free line; the driver gets the
-     *     same time again
+     * @param timeoutMillis milliseconds to wait at most for the turn, in addition to the pacer's hold on a free line; the driver gets as
+     *     much time again
      * @return the time, by the clock, at which the frame's last byte leaves the line
-     * @throws PortTimeoutException if the turn did not come in time, so nothing was written; or if the driver did not take the frame
+     * @throws PortTimeoutException if the turn did not come in time, so nothing was written, or if the driver did not take the frame
      */
     long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
         monitor.getInterruptibly(() -> {
@@ -194,7 +194,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
-        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller does not know the gap
+        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller cannot allow for the pacer's gap
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         LongSupplier untilTurn = () -> isWriting
                 ? Monitor.FOREVER
@@ -232,8 +232,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Writes a frame that has begun. Gives {@code whenWritten} the time at which its last byte leaves, also if the driver has taken only a
-     * part. The caller does not hold the monitor's lock.
+     * Writes a frame that has begun. Gives {@code whenWritten} the time at which the frame's last byte leaves, even if the driver takes
+     * only a part. The caller does not hold the monitor's lock.
      * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
      * @return that time
      */
@@ -310,7 +310,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records a complete message: the answer, if one is awaited. Actions that waited for the answer may go out now. */
+    /** Records a complete message. It counts as the answer, if one is awaited; actions that waited for the answer may go out now. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }
@@ -320,7 +320,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.unanswered(now));
     }
 
-    /** Ends the line: threads that wait here, or come later, get a {@link PortGoneException} with {@code reason}. */
+    /** Ends the line: threads that wait here, now or later, get a {@link PortGoneException} with {@code reason}. */
     void end(String reason) {
         monitor.change(() -> endReason = endReason == null ? reason : endReason);
     }

@@ -4,24 +4,24 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Estimates the gap that a version 1 board needs between frames: the time from one of its looks at the line to the next. The delay of an
- * answer has two parts: the time until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the
- * answer, which is about constant. So the differences of delays show the loop.
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more while the delays are so few
- * that they may miss a part of the loop. With a probability below n x^(n-1), the range of n random delays is less than the part x of the
- * loop. If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this probability is one
- * in 100,000. The estimate is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until {@value #MIN_SAMPLES}
- * delays are known, the estimate is this maximum. From {@value #MANY} delays on, the longest is left out; later, at each end one delay in
- * {@value #OUTLIER_AMONG}. So one stall of this computer does not slow commands down.
- * <p>If each request followed the last answer at the same distance, all requests would meet the same part of the loop. So some requests are
- * sent later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}.
- * Times are nanoseconds. Guarded by its user's lock.
+ * Estimates the gap that a version 1 board needs between frames: the time from one of its reads of the line to the next. The delay of an
+ * answer has two parts: the time until the board's next read, a random part of its {@code loop()}; and the time to measure and to build the
+ * answer, which is about constant. So the differences between delays show how long the loop takes.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more while there are so few delays
+ * that their range may be much shorter than the loop. The range of n random delays is less than the part x of the loop with a probability
+ * below n x^(n-1). If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this
+ * probability is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until
+ * {@value #MIN_SAMPLES} delays are known, the estimate is this maximum. From {@value #MANY} delays on, the longest is left out; of more
+ * delays, one in {@value #OUTLIER_AMONG} at each end. So one stall of this computer does not slow commands down.
+ * <p>If each request came the same time after the last answer, all requests would meet the same part of the loop. So some requests are sent
+ * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
+ * are nanoseconds. Guarded by its user's lock.
  */
 final class GapEstimate {
     static final int SAMPLES = 256;
-    /** The longest estimate, also for a loop that is not known yet: the sensors of many sketches take that long. */
+    /** The longest estimate, also used while no loop is known: the sensors of many sketches take that long. */
     static final int MAX_MILLIS = 50;
-    /** Fewer delays say nothing: USB measures whole milliseconds, so they may be equal by chance. */
+    /** Fewer delays prove nothing: over USB a delay is a whole number of milliseconds, so they may be equal by chance. */
     static final int MIN_SAMPLES = 6;
     /** The highest probability that the estimate is shorter than the loop. */
     private static final double CHANCE = 1e-5;
@@ -37,7 +37,7 @@ final class GapEstimate {
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The multiples of this number have fractional parts that are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** An answer that takes longer belongs to an earlier request, so its delay is ignored. No probe delays a request by more than this. */
+    /** The delay of an answer that takes longer is ignored: the answer belongs to an earlier request. Also the longest probe delay. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
@@ -93,7 +93,7 @@ final class GapEstimate {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is delayed on purpose. */
+    /** Nanoseconds by which the next request is delayed on purpose, to meet another part of the loop. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

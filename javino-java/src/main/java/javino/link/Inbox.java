@@ -17,7 +17,7 @@ import javino.wire.WireFrame;
  * <p>One of the waiting threads reads for all (leader and followers). When the reader's own wait ends, another thread reads.
  */
 final class Inbox {
-    /** Takes what arrives, while the monitor's lock is held; times are nanoseconds of the line's clock. */
+    /** Receives what arrives, under the monitor's lock; times are nanoseconds of the line's clock. */
     interface Listener {
         void receiving(int bytes, long now);
 
@@ -30,14 +30,14 @@ final class Inbox {
 
         default void damaged() {}
 
-        /** A frame of version 1 goes out. */
+        /** Called when a frame of version 1 goes out. */
         default void sendsVersion1(long now) {}
     }
 
     private static final int BUFFER = 1024;
     /** The most messages that are kept; the newest stay. A board may send messages that nobody takes. */
     static final int MAX_MESSAGES = 64;
-    /** The most reads in a row: enough to empty any driver, and not endless on a line that never rests. */
+    /** The most reads in a row: enough to empty any driver, but not endless on a line that never rests. */
     private static final int READS = 64;
 
     private final Monitor monitor;
@@ -66,7 +66,7 @@ final class Inbox {
         lastByteNanos = clock.nanos();
     }
 
-    /** Returns the next message of version 1; null: none is complete at {@code deadlineNanos}, or the board speaks version 2. */
+    /** Returns the next message of version 1; null: none is complete by {@code deadlineNanos}, or the board speaks version 2. */
     Reply next(long deadlineNanos) throws PortException {
         return monitor.get(() -> {
             while (true) {
@@ -99,7 +99,7 @@ final class Inbox {
         readReady(1);
     }
 
-    /** Reads the bytes that the line has ready, and returns the newest of the messages read now or before, or null. */
+    /** Reads the bytes that the line has ready. Returns the newest message read now or before; null: there is none. */
     Reply newest() throws PortException {
         readReady(READS);
         return monitor.get(() -> {
@@ -118,7 +118,7 @@ final class Inbox {
         });
     }
 
-    /** Reads the bytes that the line has ready, in at most {@code most} pieces, unless another thread reads. */
+    /** Reads the bytes that the line has ready, with at most {@code most} reads, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
             for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}
@@ -126,7 +126,7 @@ final class Inbox {
         });
     }
 
-    /** Records that a frame of version 1 is about to go out. If the line brings the frame back, that is no message. */
+    /** Records that a frame of version 1 is about to go out. If the line echoes the frame, the echo is no message. */
     void sends(Frame frame) {
         monitor.change(() -> {
             localEchoes.sends(frame);
@@ -154,8 +154,8 @@ final class Inbox {
     }
 
     /**
-     * Reads for at most {@code nanos}; less if an unfinished frame must be given up earlier. The caller holds the monitor's lock exactly
-     * once; the lock is released while bytes are awaited. Call this only if no thread {@link #isBeingRead reads}.
+     * Reads for at most {@code nanos}, or for less if an unfinished frame must be given up earlier. The caller holds the monitor's lock
+     * exactly once; the lock is released while bytes are awaited. Call this only if no thread {@link #isBeingRead reads}.
      */
     int readFor(long nanos) throws PortException {
         long start = clock.nanos();
@@ -172,7 +172,7 @@ final class Inbox {
         long now = clock.nanos();
         if (count > 0) {
             accept(count, now);
-        } else { // an empty read proves silence only for the time that it was given: bytes may have come since
+        } else { // a read without bytes proves silence only for its time limit: bytes may have come since
             long silent = Math.min(now, start + TimeUnit.MILLISECONDS.toNanos(millis));
             version1.idle(silent);
             version2.idle(silent);

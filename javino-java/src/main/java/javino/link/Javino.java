@@ -8,16 +8,16 @@ import javino.Protocol;
 import javino.Transports;
 
 /**
- * The interface that Javino programs know: one call for each operation on a port, which returns whether it succeeded.
+ * The classic interface of Javino: one call for each operation on a port. Each call returns whether it succeeded.
  *
- * <p>The first call that names a port opens it, and it stays open until {@link #close()}, since opening resets most boards. If its device
- * has gone, the next call opens the port anew. No call throws an exception of the line: {@link #lastError()} says why a call returned
- * false.
+ * <p>The first call that names a port opens the port. It stays open until {@link #close()}, since opening resets most boards. If the port's
+ * device has gone, the next call opens the port anew. No call throws an exception of the line: {@link #lastError()} says why a call
+ * returned false.
  *
- * <p>It speaks version 1 of the protocol, as its programs expect, unless its settings ask for version 2.
+ * <p>Javino speaks version 1 of the protocol, as older programs expect, unless the settings ask for version 2.
  *
- * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} are about the latest call of all threads. Not final: tests
- * may replace it by a subclass.
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} are about the latest call of all threads. Not final, so
+ * that tests can use a subclass.
  */
 public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
@@ -30,13 +30,13 @@ public class Javino implements AutoCloseable {
     private volatile String data = "";
     private volatile String lastError = "";
 
-    /** Uses {@link LinkSettings#defaults()}, for each port its {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
+    /** Uses {@link LinkSettings#defaults()}, each port's {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
     public Javino() {
         this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS, true);
     }
 
     /**
-     * @param settings for every port that is opened; unless they ask for version 2 of the protocol, version 1 is spoken
+     * @param settings the settings of every port that is opened; version 1 of the protocol is spoken unless they ask for version 2
      * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
      */
     public Javino(LinkSettings settings, int timeoutMillis) {
@@ -50,8 +50,8 @@ public class Javino implements AutoCloseable {
     }
 
     /**
-     * Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. Returns true when the command has left; in version 2, when the board has
-     * acted.
+     * Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. Returns true when the command has left (version 1) or the board has acted
+     * (version 2).
      */
     public boolean sendCommand(String port, String msg) {
         return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
@@ -67,12 +67,12 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> data = link(port).listen(timeoutMillis).text());
     }
 
-    /** The last message that a call received; empty before the first. */
+    /** The last message that a call received; empty: no call has received one. */
     public String getData() {
         return data;
     }
 
-    /** The reason why the latest failed call returned false; empty if none has failed. */
+    /** The reason why the latest failed call returned false; empty: no call has failed. */
     public String lastError() {
         return lastError;
     }

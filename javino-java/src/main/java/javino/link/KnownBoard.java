@@ -16,15 +16,15 @@ final class KnownBoard {
     private final Monitor monitor;
     private final LineClock clock;
     private final Protocol wanted;
-    private final long startedAt; // from this time on, a board that has not answered is taken to run
+    private final long startedAt; // from this time on, the board counts as running even without an answer
     private volatile boolean isReady;
     private volatile boolean hasHeard; // in version 1
     private volatile boolean hasSaidHello;
     private volatile Protocol protocol;
-    private volatile boolean hasLapsed; // the board fell silent in version 2, so another may be there
+    private volatile boolean hasLapsed; // the board fell silent in version 2, so another board may be in its place
     private volatile int otherRevision = NONE; // the revision of version 2 that the board speaks
 
-    /** @param settings their {@link LinkSettings#bootMillis()} count from now */
+    /** @param settings the link's settings; {@link LinkSettings#bootMillis()} count from now */
     KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {
         this.monitor = monitor;
         this.clock = clock;
@@ -34,7 +34,7 @@ final class KnownBoard {
         isReady = settings.bootMillis() == 0;
     }
 
-    /** Nanoseconds for which the board may still be starting; 0: something has come from it, or it must have started. */
+    /** Nanoseconds for which the board may still be starting; 0: the board has sent something, or must have started. */
     long nanosToStart() {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
@@ -43,7 +43,7 @@ final class KnownBoard {
         isReady = true;
     }
 
-    /** Records that the board runs and has sent something in version 1. */
+    /** Records that the board has sent something in version 1, so that it runs. */
     void heard() {
         hasHeard = true;
         isReady = true;
@@ -57,12 +57,12 @@ final class KnownBoard {
         hasSaidHello = true;
     }
 
-    /** Returns whether HELLO has been sent, so that a board of version 2 would have answered. */
+    /** Returns whether HELLO has been sent: a board of version 2 would have answered. */
     boolean hasSaidHello() {
         return hasSaidHello;
     }
 
-    /** {@link Protocol#AUTO}: the version is not known yet, or not any more. */
+    /** The version that is spoken; {@link Protocol#AUTO}: it is not known yet, or not known any more. */
     Protocol protocol() {
         return protocol;
     }
@@ -83,7 +83,7 @@ final class KnownBoard {
         return hasLapsed;
     }
 
-    /** Takes the board for one of version 1 from now on, unless it answers a HELLO after all. */
+    /** Treats the board as one of version 1 from now on, unless it answers a HELLO after all. */
     void agreeOnVersion1() {
         monitor.change(() -> {
             hasLapsed = false;
@@ -106,14 +106,14 @@ final class KnownBoard {
         protocol = mustSpeak2() ? Protocol.V2 : Protocol.AUTO;
     }
 
-    /** Records that the board speaks a revision of version 2 that this program does not speak; returns whether that is news. */
+    /** Records that the board speaks a revision of version 2 that this program does not know; returns whether that was new. */
     boolean foundRevision(int revision) {
         boolean isNews = otherRevision != revision;
         otherRevision = revision;
         return isNews;
     }
 
-    /** Why a board that has answered HELLO has no session; empty: it has not answered, or has a session. */
+    /** The reason why a board that answered HELLO has no session; empty: it has a session, or did not answer. */
     Optional<String> noSession() {
         int revision = otherRevision;
         if (revision == NONE) {

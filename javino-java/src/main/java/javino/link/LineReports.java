@@ -4,7 +4,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 
-/** Collects outcomes, reports of the board and warnings under the line's lock, and passes them on without it. Safe on any thread. */
+/** Collects outcomes, reports of the board and warnings under the line's lock, and passes them on outside of it. Safe on any thread. */
 final class LineReports {
     private static final System.Logger LOG = System.getLogger(LineReports.class.getName());
 
@@ -47,7 +47,7 @@ final class LineReports {
             waiting.add(() -> {
                 try {
                     call.accept(called);
-                } catch (RuntimeException | Error broken) { // the reader must go on
+                } catch (RuntimeException | Error broken) { // the thread that reads must go on
                     LOG.log(System.Logger.Level.ERROR, "the receiver of the board's reports has failed", broken);
                 }
             });

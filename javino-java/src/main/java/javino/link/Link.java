@@ -31,23 +31,23 @@ import javino.wire.CommandItem;
 
 /**
  * An open port through which one owner exchanges messages with a board.
- * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one after the other.
+ * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one call after the other.
  * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
  * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
  * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then, a request is repeated every 250 ms, or after its
  * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
- * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
- * drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board come whole or not at all, and
- * {@link #send} learns the outcome of an action.
+ * twice, and after each HELLO waits 60 ms, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1
+ * boards drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board arrive whole or not at all, and
+ * the future of {@link #send} tells the outcome of an action.
  * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even one that waits, and the port is
  * free for another link. An interrupted call throws {@link PortInterruptedException}; the link stays usable.
  */
 public final class Link implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** After an answer or an outcome, the line stays free for this part of a request's time: the agent may then send commands. */
+    /** After an answer or an outcome, no request goes out for a request's time divided by this: the agent may send commands then. */
     private static final int GRACE_DIVISOR = 8;
 
     private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
@@ -61,7 +61,7 @@ public final class Link implements AutoCloseable {
     private final FrameWriter writer;
     private final SessionLine line;
     private final KnownBoard board;
-    private final RequestChannel channel; // used by the thread that holds reading
+    private final RequestChannel channel; // used by the thread that holds the lock reading
     private final CommandLoop commands;
     private volatile long exchangeNanos; // duration of the last exchange
     private volatile long answeredNanos; // end of the last exchange
@@ -83,7 +83,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Opens a port. If the port's owner is {@linkplain #leave leaving} it, waits until the port is free.
+     * Opens a port. If the present owner is {@linkplain #leave leaving} the port, waits until it is free.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
      * @param owner the port's owner, in words, for {@link PortBusyException}
@@ -107,17 +107,17 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * A link on an open line, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know. The link has no
-     * owner, so {@link #ownerOf} does not find it.
+     * A link on an open line, with {@code clock} as its clock: for tests, and for lines that {@link Transports} does not know. The link has
+     * no owner, so {@link #ownerOf} does not find it.
      *
-     * @param transport closed with the link; its waits go by the same clock
-     * @param settings their rate is that of the line
+     * @param transport the open line, whose waits use the same clock; closed with the link
+     * @param settings the settings, with the line's rate
      */
     public static Link over(Transport transport, LinkSettings settings, LineClock clock) {
         return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
     }
 
-    /** The owner of a port that a link of this program has open, under any name of the port. */
+    /** The owner of {@code port}, if a link of this program has it open, under any of its names. */
     public static Optional<String> ownerOf(String port) {
         return PortOwners.ownerOf(port);
     }
@@ -132,7 +132,7 @@ public final class Link implements AutoCloseable {
         return transport.mayVanish();
     }
 
-    /** The settings it was opened with. */
+    /** The settings with which the link was opened. */
     public LinkSettings settings() {
         return settings;
     }
@@ -148,8 +148,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Asks the board for the kinds of its percepts, when no request is under way. Kinds that cannot be read are left out, with a line of
-     * log.
+     * Asks the board for the kinds of its percepts, when no request is under way. Kinds that cannot be read are left out and logged.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
      * @return a description without kinds and problems if the board describes no percepts, or is not known to speak version 2
@@ -181,35 +180,35 @@ public final class Link implements AutoCloseable {
         return description;
     }
 
-    /** How many actions of the board's program found no room on the board; the board refuses them. 0: none, or not known yet. */
+    /** How many actions of the board's program found no room on the board, which refuses them. 0: none, or the number is not known yet. */
     public int actionsLost() {
         return line.session().actionsLost();
     }
 
     /**
-     * Sets the listener for reports that the board sends of its own accord, in place of the present one. In a session,
-     * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
+     * Sets the listener for reports that the board sends of its own accord, in place of the present listener. If there is a session, calls
+     * {@link BoardListener#sessionBegan} at once, on the calling thread.
      */
     public void onBoardEvents(BoardListener listener) {
         line.session().onBoardEvents(Objects.requireNonNull(listener, "listener"));
     }
 
-    /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
+    /** The number of frames of version 2 that were dropped for a wrong checksum. */
     public long corruptFrames() {
         return line.inbox().corrupt();
     }
 
-    /** Returns whether this link can be used: it was not closed, and no call has found its device gone. */
+    /** Returns whether this link can be used: it is not closed, and no call has found that its device has gone. */
     public boolean isOpen() {
         return writer.hasLine();
     }
 
     /**
-     * Sends a request and returns its answer. Drops messages that came before the request: they answer earlier requests. If an answer does
-     * not come in time, the next request first waits for a silence of the line, and returns the last message before that silence.
+     * Sends a request and returns its answer. Drops messages that came before the request, as they answer earlier requests. If an answer
+     * does not come in time, the next request first waits for a silence of the line, and returns the last message before that silence.
      *
      * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; the board then gets the same time for its
-     *     answer, counted from the request's last byte. After a missed answer the line gets as much time again to fall silent. While the
+     *     answer, counted from the request's last byte. After a missed answer, the wait for silence takes at most as long again. While the
      *     board may be starting, the request is repeated
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
@@ -224,9 +223,9 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #request(String, int)}, for a caller that asks again and again. A command must wait for a whole exchange if a request
-     * overtakes it. So the commands submitted before this call go out first, then those submitted while it waits. Each of the two waits
-     * takes at most as long as the last exchange or the interval, whichever is longer, so commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks again and again. A command that a request overtakes must wait for a whole
+     * exchange. So the commands submitted before this call go out first, then the commands submitted while this call waits. Each of the two
+     * waits takes at most as long as the last exchange, or as the interval if that is longer, so commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -252,8 +251,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands submitted so far are over. In version 2, which sends both ways at once, waits only
-     * until these commands have begun.
+     * Waits at most {@code nanos} until the commands submitted so far have ended. In version 2, which sends both ways at once, waits only
+     * until they have begun.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -270,7 +269,7 @@ public final class Link implements AutoCloseable {
 
     /** In version 2 only percepts are requested. Any other message is a command, and the board's next message is its answer. */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
-        line.session().takeHeard(); // messages from before the command are no answer to it
+        line.session().takeHeard(); // drops earlier messages: they do not answer the command
         sendAndAwait(message, timeoutMillis);
         return listen(
                 timeoutMillis,
@@ -290,11 +289,11 @@ public final class Link implements AutoCloseable {
             }
             return answer;
         });
-        // no answer: the board has turned out to take the request for a command
+        // null: the board turned out to speak version 2, where this request is a command
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
-    /** Returns the likely reason of a silence: no session is possible, bytes came that are no message, or else {@code usual}. */
+    /** Returns the likely reason of a silence: that no session is possible, that bytes came which are no message, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
         return board.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
@@ -311,13 +310,14 @@ public final class Link implements AutoCloseable {
      * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
      * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
      * acted. Until the outcome is known, the command is repeated, and the board takes the repetitions for one command. The command is given
-     * up after four repetitions and 2 s without any frame of the board.
+     * up after four repetitions and 2 s without any frame from the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
-     * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was
-     * over before it began to go out; {@link CommandReplacedException} if a later command took its place; {@link PortTimeoutException} if
-     * the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with any exception of a
-     * transport. If a caller completes or cancels the future, a command that has not begun does not go out.
+     * {@link ActionUnconfirmedException} if it is unknown whether the board has acted; {@link CommandWithdrawnException} if the command's
+     * time was over before it began to go out; {@link CommandReplacedException} if a later command replaced it;
+     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is
+     * gone; or with any exception that a transport throws. If a caller completes or cancels the future before the command has begun to go
+     * out, the command does not go out.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
@@ -326,16 +326,16 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. The text of a
-     * command cannot do that. If the board speaks version 1, the future fails with {@link ActionRefusedException} too.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. A command
+     * given as text cannot change rules. If the board speaks version 1, the future fails with {@link ActionRefusedException} too.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
     }
 
     /**
-     * Takes queued commands to the board, present and future ones, until it throws. Call it on a thread of its own: it does not return when
-     * the queue is empty.
+     * Sends queued commands to the board, present and future ones, until it throws. Call this method on a thread of its own: it does not
+     * return when the queue is empty.
      *
      * <pre>{@code
      * new Thread(() -> {
@@ -363,9 +363,9 @@ public final class Link implements AutoCloseable {
      * them. Returns when the command has arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if the turn did not come, so nothing was sent; or if the driver did not take the frame, of which some
-     *     bytes may have left
-     * @throws PortException as the future of {@link #send} fails
+     * @throws PortTimeoutException if the turn did not come, so nothing was sent, or if the driver did not take the whole frame: some bytes
+     *     may have left
+     * @throws PortException with which the future of {@link #send} fails
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
         Frame frame = Frame.ofCommand(command);
@@ -386,7 +386,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits for a message that the board sends of its own accord. Takes the newest; older ones are dropped.
+     * Waits for a message that the board sends of its own accord. Returns the newest message, and drops older ones.
      *
      * @param timeoutMillis milliseconds to wait at most, at least 1
      * @throws PortTimeoutException if none came
@@ -412,8 +412,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Reads the line for {@code timeoutMillis} between two requests: takes {@linkplain #onBoardEvents the board's reports}, and notices if
-     * the device has gone. Leaves messages to {@link #listen}.
+     * Reads the line for {@code timeoutMillis} between two requests. Passes {@linkplain #onBoardEvents the board's reports} on, and notices
+     * if the device has gone. Keeps messages for {@link #listen}.
      *
      * @param timeoutMillis milliseconds, at least 1
      */
@@ -452,7 +452,7 @@ public final class Link implements AutoCloseable {
         claim.leave();
         writer.end(why); // wakes threads that wait for the line
         commands.failAll(why);
-        ending.lock(); // a second caller returns when the port is really free
+        ending.lock(); // so a second caller returns only when the port is free
         try {
             transport.close();
             claim.release();
@@ -461,14 +461,14 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Returns when something has come from the board, or the board must have started. */
+    /** Waits until something has come from the board, or the board must have started. */
     private void awaitStart() throws PortException {
         if (channel.sayHelloToListener()) {
             return;
         }
         try {
             if (!reading.tryLock(Math.max(board.nanosToStart(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
-                // another call reads the line: it waits for the start too, or listens for a long time
+                // another call reads the line: it also waits for the start, or it listens for a long time
                 return;
             }
         } catch (InterruptedException e) {
@@ -487,7 +487,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work that reads the line, one thread after the other. */
+    /** Does work that reads the line; one thread at a time. */
     private <T> T reading(Monitor.Work<T, PortException> work) throws PortException {
         try {
             reading.lockInterruptibly();
@@ -514,7 +514,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work. If the work's time is over, looks at the line: a thread that only waited for its turn has not read the line. */
+    /** Does work. If the work's time is over, looks at the line: a thread that only waited has not noticed that the line is gone. */
     private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();

@@ -9,13 +9,13 @@ import javino.Protocol;
  * Settings of a {@link Link}: how it treats its line and the board at the other end.
  *
  * @param baud bits a second
- * @param paced true: a frame goes to the driver only when the frame before it has left the line by the baud rate. So an urgent command
- *     never waits behind seconds of old ones. False: each frame goes to the driver at once
- * @param spacingMillis least milliseconds between the end of a frame to a version 1 board, or of its answer, and the next frame. The gap is
- *     50 ms until six answers have been timed. It is longer than this setting if the board's answers show a slow {@code loop()}. 0: no gap,
- *     for a board that keeps all messages
+ * @param paced true: a frame goes to the driver only when, by the baud rate, the frame before it has left the line. So an urgent command
+ *     never waits for seconds behind old commands. False: each frame goes to the driver at once
+ * @param spacingMillis the shortest gap, in milliseconds, between a frame to a version 1 board, or its answer, and the next frame. The gap
+ *     is 50 ms until six answers have been timed, and longer than this setting if the answers show a slow {@code loop()}. 0: no gap, for a
+ *     board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
- * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs
+ * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs already
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1
  * @param messageLimit the most bytes of a message from a version 2 board, at least 255; longer messages are dropped
  */
@@ -27,7 +27,7 @@ public record LinkSettings(
         int bootMillis,
         Protocol protocol,
         int messageLimit) {
-    /** Most bytes of a message from a version 2 board, if no other limit is set. */
+    /** The most bytes of a message from a version 2 board, if no other limit is set. */
     public static final int DEFAULT_MESSAGE_LIMIT = 65_536;
 
     public LinkSettings {
@@ -85,7 +85,7 @@ public record LinkSettings(
         return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, protocol, value);
     }
 
-    /** The line these settings ask for. */
+    /** The settings of the serial line. */
     public LineSettings line() {
         return new LineSettings(baud);
     }

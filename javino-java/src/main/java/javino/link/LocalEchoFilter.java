@@ -6,14 +6,13 @@ import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
- * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, bring back all that is sent, so a
+ * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, echo everything that is sent, so a
  * request would pass for its own answer.
- * <p>No board sends a request for percepts, so a request that comes back proves such a line. Once an echo has proved such a line, actions
- * that come back are no messages either. Until an echo has proved it, they count as messages, since some boards repeat their commands. One
- * thread at a time.
+ * <p>No board sends a request for percepts, so a request that comes back proves that the line echoes. From then on, actions that come back
+ * are no messages either. Before, they count as messages, since some boards send their commands back. One thread at a time.
  */
 final class LocalEchoFilter {
-    /** The most frames that are remembered; fewer are on their way at any time. Older frames were lost on the line. */
+    /** The most frames that are remembered: fewer are on their way at any time, so older frames were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first

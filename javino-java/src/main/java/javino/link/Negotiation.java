@@ -7,10 +7,10 @@ import javino.PortException;
 import javino.wire.WireFrame;
 
 /**
- * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats HELLO
- * and request until one is answered. A board of version 1 drops HELLO. A board of version 2 that was starting may have answered the request
- * in version 1, so it gets HELLO once more. If bytes came that are no message, the board gets several HELLOs: a damaged WELCOME may be
- * among the bytes.
+ * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats both
+ * until HELLO or the request is answered. A board of version 1 drops HELLO. A board of version 2 that missed HELLO while it started may
+ * answer the request in version 1, so it gets HELLO once more. If bytes came that are no message, the board gets several HELLOs: the bytes
+ * may contain a damaged WELCOME.
  * <p>A frame of version 1 follows HELLO only after the time for WELCOME: a board in a session ignores a frame of version 1 that closely
  * follows other bytes. One thread at a time.
  */
@@ -39,9 +39,9 @@ final class Negotiation {
     }
 
     /**
-     * Finds out the version. Gives up after {@code timeoutMillis}, or when the board must have started if that is later.
+     * Finds out the version. Gives up after {@code timeoutMillis}, but not before the board must have started.
      *
-     * @return the answer to {@code request} in version 1, null: none came
+     * @return the answer to {@code request} in version 1; null: none came
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -92,7 +92,7 @@ final class Negotiation {
                 FrameWriter.Kind.ACTION,
                 WireFrame.OVERHEAD,
                 timeoutMillis,
-                () -> board.speaks2() ? null : line.session().hello()); // a further HELLO would end a session
+                () -> board.speaks2() ? null : line.session().hello()); // in a session, a further HELLO would end it
         boolean isWelcomed = line.await(board::speaks2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;

@@ -3,18 +3,18 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Decides when the driver may get the next frame, from the time and from all that was written and received.
+ * Decides when the driver may get the next frame. Knows the time, and the frames that were written and received.
  *
- * <p>Two things hold a frame back. First, the pace: the driver gets a frame when the frame before has left the line by the baud rate.
+ * <p>Two things hold a frame back. First, the pace: the driver gets a frame when, by the baud rate, the frame before has left the line.
  * Second, the limits of version 1 boards. Between two rounds of its {@code loop()} such a board reads all bytes that have arrived, and has
  * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
  * it sends an answer. So
  * <ul>
  *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is at least that of the settings,
- *       and longer than the board's loop as far as {@link GapEstimate} knows the loop. Exception: if only one request was open and no
- *       action was written after it, the board has handled all that it received, so the first action behind the answer starts at once;
+ *       and at least the {@link GapEstimate} for the board's loop. Exception: the answer to the only open request, behind which no action
+ *       was written, shows that the board has handled all messages. So the first action after this answer starts at once;
  *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as an AVR's
- *       receive buffer holds. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
+ *       receive buffer holds. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of silence within the answer, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
  *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
  * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
@@ -22,12 +22,12 @@ import java.util.concurrent.TimeUnit;
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
-    /** A board begins its answer within this time: its loop may take 50 ms, and so may reading its sensors. */
+    /** A board begins its answer within this time: its loop may take 50 ms, and reading its sensors another 50 ms. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
-    /** Bytes that an AVR holds unread: its buffer has 64 bytes, less a few that are being received. */
+    /** Bytes that an AVR can hold unread: its buffer has 64 bytes, of which a few are kept for bytes that are just being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** The number of late answers in a row that prove a slow board: one or two may be this computer's fault. */
+    /** So many late answers in a row prove a slow board: one or two may be this computer's fault. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
@@ -40,14 +40,14 @@ final class Pacer {
     private final int maxHoldMillis;
 
     private long lineFreeAt;
-    private long lastEnd; // end of the last frame, or of the answer to it
+    private long lastEnd; // end of the last frame or answer
     private final GapEstimate estimate = new GapEstimate();
     private long requestEnd;
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
     private int unanswered; // number of requests in a row without an answer
-    private boolean boardIsIdle; // the board has handled all messages, so none waits unread before the next frame
+    private boolean boardIsIdle; // the board has handled all messages: no unread message precedes the next frame
     private long busyUntil;
     private final Version1SilenceHold silence = new Version1SilenceHold();
     private int lateAnswers; // late answers in a row
@@ -65,7 +65,7 @@ final class Pacer {
         busyUntil = now;
     }
 
-    /** The most milliseconds for which the gap and a probe of the board's loop hold a frame back on a free line. */
+    /** The most milliseconds for which a frame is held back on a free line: by the gap, and by a delay to probe the board's loop. */
     int maxHoldMillis() {
         return maxHoldMillis;
     }
@@ -81,12 +81,12 @@ final class Pacer {
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: any action may. */
+    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: any action may be written. */
     long nanosHeld(long now) {
         return paced ? silence.nanosHeld(now) : 0;
     }
 
-    /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the longest gap. */
+    /** Returns whether the board's answers begin so late that its {@code loop()} must take longer than the longest gap. */
     boolean isSlow() {
         return silence.isAnswering() && lateAnswers >= MANY_LATE;
     }
@@ -94,7 +94,7 @@ final class Pacer {
     /**
      * Nanoseconds from {@code now} until a request may be written; 0: now.
      *
-     * @param due time at which a free line would have taken it
+     * @param due time at which the request would have gone out on a free line
      */
     long nanosUntilRequest(long due, long now) {
         long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
@@ -125,7 +125,7 @@ final class Pacer {
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
-            estimate.forget(); // the loop may take longer now
+            estimate.forget(); // the board's loop may take longer than before
         }
         estimate.asked();
         answerBegun = false;
@@ -146,7 +146,7 @@ final class Pacer {
     long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
-            boolean buffered = now - start < duration; // the line may get the frame as late as now
+            boolean buffered = now - start < duration; // the driver may have begun the frame as late as now
             lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
         } else {
             lineFreeAt = now;
@@ -156,7 +156,7 @@ final class Pacer {
         return lastEnd;
     }
 
-    /** Records that {@code bytes} were found together. The first byte arrived earlier than the last one, by the line time of the others. */
+    /** Records that {@code bytes} were found together. Each byte takes its time on the line, so the first arrived earlier than now. */
     void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {

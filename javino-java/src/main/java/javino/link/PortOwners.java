@@ -30,7 +30,7 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** Notes that the owner is about to give the port back, so the next owner waits until that is done. Idempotent. */
+        /** Records that the owner is about to give the port back; the next owner then waits until the port is free. Idempotent. */
         void leave() {
             isLeaving = true;
         }
@@ -45,7 +45,7 @@ final class PortOwners {
         }
     }
 
-    /** A claim to a line that is no port of the machine; it excludes nobody. */
+    /** A claim to a line that is no port of this machine; such a claim excludes nobody. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }

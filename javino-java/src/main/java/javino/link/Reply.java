@@ -6,7 +6,7 @@ import javino.Protocol;
  * A message from a board.
  *
  * @param text the reply's text, one character a byte (ISO-8859-1)
- * @param version the version of the protocol in which it came
- * @param receivedNanos time at which its last byte was read, by the link's clock
+ * @param version the version of the protocol in which the message came
+ * @param receivedNanos time at which the message's last byte was read, by the link's clock
  */
 public record Reply(String text, Protocol version, long receivedNanos) {}

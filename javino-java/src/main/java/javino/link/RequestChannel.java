@@ -9,7 +9,7 @@ import javino.PortException;
 import javino.Protocol;
 
 /**
- * Asks and listens in the version that the board speaks, and finds that version out. One thread at a time, except for methods marked "Any
+ * Finds out which version the board speaks, and asks and listens in that version. One thread at a time, except for methods marked "Any
  * thread".
  */
 final class RequestChannel {
@@ -40,8 +40,8 @@ final class RequestChannel {
     }
 
     /**
-     * Returns when the board's answer has shown its version, or when the board must have started. A board that is taken to run gets no
-     * request, only HELLO.
+     * Returns when the board's answer has shown its version, or when the board must have started. A board that counts as running gets only
+     * HELLO, and no request.
      */
     void awaitStart() throws PortException {
         if (!board.mustAsk()) {
@@ -58,7 +58,7 @@ final class RequestChannel {
                         clock.nanos() + board.nanosToStart(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            board.saidHello(); // if that has failed, the commands behind go out without a request
+            board.saidHello(); // even if it has failed: the waiting commands then go out without a request
             version1.askForAction(false);
         }
     }
@@ -100,8 +100,8 @@ final class RequestChannel {
     }
 
     /**
-     * Sends a request and returns its answer. Repeats it while the board may be starting, and if the answer is damaged. Returns null if no
-     * answer comes in time, or if the board turns out to speak version 2 and the request is not for percepts.
+     * Sends a request and returns its answer. Repeats the request while the board may be starting, and if the answer is damaged. Returns
+     * null if no answer comes in time, or if the board turns out to speak version 2 and the request is not for percepts.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (board.speaks2()) {
@@ -114,12 +114,12 @@ final class RequestChannel {
         if (answer == null && board.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
         }
-        return answer == null && board.speaks2() // a session that is not open yet gets one more request's time
+        return answer == null && board.speaks2() // a session that is not open yet gets twice the time
                 ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
                 : answer;
     }
 
-    /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or does not answer in time. */
+    /** Asks a board of version 2 for the kinds of its percepts; null: the board speaks another version, or does not answer in time. */
     Reply requestKinds(int timeoutMillis) throws PortException {
         return board.speaks2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
@@ -132,7 +132,7 @@ final class RequestChannel {
                 session.isOpen() ? 0 : board.nanosToStart(),
                 TimeUnit.MILLISECONDS.toNanos(waitMillis) + REQUEST_BYTES * byteNanos);
         long deadline = clock.nanos() + wait;
-        line.inbox().look(); // messages from before the question are no answer to it
+        line.inbox().look(); // drops earlier messages: they do not answer the question
         session.request(request.text().substring(PerceptsRequest.ALL.length()));
         try {
             line.await(() -> session.answer() != null || !board.speaks2(), deadline, true);

@@ -6,9 +6,8 @@ import javino.CommandReplacedException;
  * Options of a command, see {@link Link#send(String, SendOptions)}.
  *
  * @param urgent whether the command goes before waiting commands that are not urgent
- * @param limitMillis milliseconds from the call after which the outcome is known in any case; 0: no limit
- * @param latest whether the command takes the place of waiting commands of the same functor; these fail with
- *     {@link CommandReplacedException}
+ * @param limitMillis milliseconds from the call within which the outcome is known in any case; 0: no limit
+ * @param latest whether the command replaces waiting commands of the same functor, which then fail with {@link CommandReplacedException}
  */
 public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
     public SendOptions {
@@ -18,7 +17,7 @@ public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
         }
     }
 
-    /** A command that replaces none. */
+    /** Options of a command that replaces no other. */
     public SendOptions(boolean urgent, int limitMillis) {
         this(urgent, limitMillis, false);
     }

@@ -10,17 +10,17 @@ import javino.PortTimeoutException;
 import javino.Transport;
 
 /**
- * Carries the frames of a line: those of a {@link Version2Session}, and {@link Version1Commands}. Each thread that waits for something here
- * works for all: it writes the frame that is due, and reads if no other thread reads. The thread that learns an outcome or a report passes
- * it on. Safe on any thread; no lock is held while bytes are written or awaited, nor while a report is passed on.
+ * Carries the frames of a line: those of a {@link Version2Session}, and {@link Version1Commands}. Each thread that waits here works for all
+ * threads: it writes frames that are due, and reads if no other thread reads. The thread that first sees an outcome or a report passes it
+ * on. Safe on any thread; no lock is held while bytes are written or awaited, nor while a report is passed on.
  */
 final class SessionLine {
-    /** The longest single read while a frame is being written: another frame may be due behind it. */
+    /** The longest single read while a frame is being written: another frame may be due right after. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    /** The shortest time limit of a write. With a shorter limit a late thread would pass for a driver that takes nothing. */
+    /** The shortest time limit of a write. With a shorter limit, a thread that is late would look like a driver that takes nothing. */
     private static final int LEAST_WRITE_MILLIS = 100;
 
     private final Monitor monitor;
@@ -33,7 +33,7 @@ final class SessionLine {
     private final Version1Commands version1;
     private int followers;
 
-    /** A frame that goes out, with its command of version 1; null: the frame belongs to the session. */
+    /** A frame that goes out, with its command of version 1. The command is null if the frame belongs to the session. */
     record Outgoing(byte[] frame, Command command) {}
 
     SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
@@ -63,12 +63,12 @@ final class SessionLine {
         return monitor.get(version1::mustAskFirst);
     }
 
-    /** Records that commands of version 1 can get through from now on, or that the next one may go out without an answer. */
+    /** Records that the board was asked: commands of version 1 get through from now on, or at least the next one may go out unanswered. */
     void hasAsked() {
         monitor.change(() -> version1.hasAsked(clock.nanos()));
     }
 
-    /** The time at which commands last got through, or could first do so; in version 2, at which the board was last heard. */
+    /** The time at which a command last got through, or first could (version 1), or at which the board was last heard (version 2). */
     long movedNanos() {
         return board.speaks2() ? session.movedNanos() : version1.movedNanos();
     }
@@ -79,9 +79,9 @@ final class SessionLine {
     }
 
     /**
-     * Writes and reads on this thread until {@code isDone} returns true, called under the lock, or until {@code deadline}.
-     * @param reads whether this thread reads although nothing is expected. A thread that reads leaves the commands of version 1 to other
-     *     threads: a driver may take longer over a command than this thread waits
+     * Writes and reads on this thread until {@code isDone}, which is called under the lock, returns true, or until {@code deadline}.
+     * @param reads whether this thread reads even if nothing is expected. Then it leaves the commands of version 1 to other threads: a
+     *     driver may need more time for a command than this thread has
      * @return whether {@code isDone} returned true
      */
     boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
@@ -89,7 +89,7 @@ final class SessionLine {
     }
 
     /**
-     * Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends.
+     * Like {@link #await}, for the thread that writes the commands: a driver gets its full time for a frame, however soon the wait ends.
      * {@code deadline} is called anew each time, under the lock.
      */
     void serve(BooleanSupplier isDone, LongSupplier deadline) throws PortException {
@@ -120,7 +120,7 @@ final class SessionLine {
                 Math.max(LEAST_WRITE_MILLIS, Math.min(CommandLoop.STUCK_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
     }
 
-    /** Reads or waits until a frame is due, and returns it; null: the wait is over, or a report is to be passed on. */
+    /** Reads or waits until a frame is due, and returns the frame; null: the wait is over, or a report must be passed on. */
     private Outgoing nextUnless(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
@@ -143,8 +143,9 @@ final class SessionLine {
     }
 
     /**
-     * Nanoseconds for one read. Nothing can end a read. During a read a follower may stop waiting, or a frame may fall due whose sender
-     * does not wait. So the reader looks again and again for due frames. A follower writes such frames, and the read leaves time for that.
+     * Nanoseconds for one read. A read cannot be ended early. During a read the wait of another thread may end, or a frame may become due
+     * whose sender does not wait. So the reader stops in between to look for due frames. If other threads wait, a read is a little longer:
+     * they write such frames.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {
@@ -165,7 +166,7 @@ final class SessionLine {
         }
     }
 
-    /** Returns whether a thread that waits here has to read, since no other reads. */
+    /** Returns whether a thread that waits here has to read: bytes are wanted, and no other thread reads. */
     private boolean mustRead(boolean reads) {
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
@@ -195,11 +196,10 @@ final class SessionLine {
     }
 
     /**
-     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Afterwards writes the frames that have become due in the
-     * meantime: the reading thread has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no
-     * lock.
-     * @param millis the most milliseconds to wait for the driver with a frame of version 2; a frame of version 1 has longer. 0: no wait,
-     *     since the caller has found the first frame {@linkplain FrameWriter#isWritableNow writable now}
+     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Afterwards writes the frames that became due meanwhile:
+     * the reading thread could not write them, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
+     * @param millis the most milliseconds to wait for the driver to take a frame of version 2; a frame of version 1 gets more. 0: no wait,
+     *     as the caller has found the line {@linkplain FrameWriter#isWritableNow writable now}
      */
     void write(Outgoing first, int millis) throws PortException {
         try {
@@ -223,11 +223,11 @@ final class SessionLine {
         try {
             writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // this shows whether the line is gone; if it is not, the frame is repeated
+            inbox.look(); // throws if the line is gone; else the frame is repeated later
         }
     }
 
-    /** Writes a command of version 1. Whatever a transport throws, the commands behind this one still go out. */
+    /** Writes a command of version 1. Whatever a transport throws, the later commands still go out. */
     private void writeCommand(Outgoing next, int millis) throws PortGoneException {
         Throwable failure;
         try {
@@ -246,7 +246,7 @@ final class SessionLine {
         }
     }
 
-    /** Returns the line's exception if the line is gone, since a slow write may be the first sign of that; else {@code trouble}. */
+    /** Returns the line's exception if the line is gone, of which a slow write may be the first sign; else {@code trouble}. */
     private PortException goneOr(PortTimeoutException trouble) {
         try {
             inbox.look();

@@ -3,20 +3,20 @@ package javino.link;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes since the last message, which form no message, for a person who looks for the cause of a silence.
+ * The bytes since the last message, which form no message. They help a person to find out why a board seems silent.
  *
  * @param count number of the bytes
- * @param first the first stray bytes, at most {@link #MAX_FIRST}, a character for each byte
- * @param baud the rate at which they were read
+ * @param first the first of the bytes, at most {@link #MAX_FIRST}, a character for each byte
+ * @param baud the rate at which the bytes were read
  */
 public record StrayBytes(long count, String first, int baud) {
-    /** The most bytes that are kept. */
+    /** The most bytes that {@code first} holds. */
     public static final int MAX_FIRST = 48;
 
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Returns whether almost all of the bytes are text: a sketch prints text, while bytes read at a wrong rate are no text. */
+    /** Returns whether almost all of the bytes are text, as when a sketch prints text. Bytes that are read at a wrong rate are no text. */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)

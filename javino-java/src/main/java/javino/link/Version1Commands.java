@@ -4,11 +4,11 @@ import java.util.concurrent.TimeUnit;
 import javino.ActionRefusedException;
 
 /**
- * Takes commands to a board of version 1, one after the other. The board acknowledges nothing, so a command has arrived when its last byte
- * has left. Guarded by the line's lock.
+ * Sends commands to a board of version 1, one after the other. The board acknowledges nothing, so a command counts as arrived when its last
+ * byte has left. Guarded by the line's lock.
  */
 final class Version1Commands {
-    /** The longest time for which a lost device stays unnoticed while a long message leaves. */
+    /** The longest time for which the loss of a device can stay unnoticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private final FrameWriter writer;
@@ -17,13 +17,13 @@ final class Version1Commands {
     private final LineReports reports;
     private final String port;
     private Command underWay;
-    private boolean isWritten; // the last byte of the command under way leaves at leavesAt
+    private boolean isWritten; // true: the command under way is written, and its last byte leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival does not prove that other
-    // commands arrive
+    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival does not prove that
+    // others arrive
     private boolean isHeldBack;
-    private boolean isUnasked; // the next command may go out although the board has not been asked
+    private boolean isUnasked; // the next command may go out although the board has not been asked for anything
     private boolean hasToldSlowBoard;
     private volatile long movedNanos;
 
@@ -51,7 +51,7 @@ final class Version1Commands {
         return next != null && !isUnasked && board.mustAsk();
     }
 
-    /** Records that commands can get through from {@code now} on, or that the next command may go out without an answer of the board. */
+    /** Records that the board was asked: commands get through from {@code now} on, or at least the next one may go out unanswered. */
     void hasAsked(long now) {
         if (!board.mustAsk()) {
             movedNanos = now;
@@ -72,7 +72,7 @@ final class Version1Commands {
         return underWay.isOver() ? 0 : Math.max(0, Math.min(leavesAt - now, lookAt - now));
     }
 
-    /** The command whose turn has come; null: none. {@link #written} or {@link #fail} follows. */
+    /** The command whose turn has come; null: none. The caller then calls {@link #written} or {@link #fail}. */
     SessionLine.Outgoing next() {
         if (nanosUntilBegin() > 0) {
             return null;
@@ -102,7 +102,7 @@ final class Version1Commands {
 
     /** Records that a command was written by {@code now}; its last byte leaves at {@code left}. */
     void written(Command command, long left, long now) {
-        if (command == underWay) { // nobody else has failed the command
+        if (command == underWay) { // the command has not failed meanwhile
             isWritten = true;
             leavesAt = left;
             lookAt = now + WATCH_NANOS;

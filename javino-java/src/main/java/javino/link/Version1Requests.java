@@ -6,7 +6,7 @@ import javino.LineClock;
 import javino.PortException;
 
 /**
- * Asks and listens in version 1: sends requests, and finds the answer to the last request among the messages that come. Times are
+ * Asks and listens in version 1: sends requests, and finds the answer to the last request among the messages from the board. Times are
  * nanoseconds of the link's clock. One thread at a time.
  */
 final class Version1Requests {
@@ -22,7 +22,7 @@ final class Version1Requests {
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked because an action is to be sent; nobody wants the answer
-    private Reply overheard; // the answer to a request for an action, kept for a caller that listens; null: none
+    private Reply overheard; // answer to a request that an action needed, kept for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
@@ -71,7 +71,7 @@ final class Version1Requests {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (board.speaks2()) { // WELCOME may have begun a session meanwhile, which a request would end
+            if (board.speaks2()) { // a session may have begun meanwhile, which a request of version 1 would end
                 return null;
             }
             inbox.sends(request);
@@ -83,7 +83,7 @@ final class Version1Requests {
         return sent;
     }
 
-    /** Ends an exchange from its first message on; returns the answer. */
+    /** Completes an exchange whose first message is {@code first}; returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
         board.heard();
         Reply answer = last(first, timeoutMillis);
@@ -107,11 +107,11 @@ final class Version1Requests {
         return newest(message);
     }
 
-    /** The next message, if complete by {@code deadline}, or begun by the deadline and complete by {@code giveUp}; else null. */
+    /** The next message, if complete by {@code deadline}, or begun by then and complete by {@code giveUp}; null: there is none. */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // another request would drop what has come
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop what has come
         }
         return answer;
     }
@@ -127,7 +127,7 @@ final class Version1Requests {
             return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
-        return newest(first); // the intact answer may come behind a truncated message
+        return newest(first); // an intact answer may follow a truncated message
     }
 
     private Reply newest(Reply message) throws PortException {
@@ -150,6 +150,6 @@ final class Version1Requests {
                 return last;
             }
         }
-        return last; // the line does not rest: the next answer may be late too
+        return last; // the line never fell silent: the next answer may be late too
     }
 }

@@ -3,9 +3,9 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Holds actions back from a version 1 board that has missed an answer, if it has answered before. Such a board does not read, and its
- * buffer is soon full. It gets only requests and urgent actions until an answer comes, or for {@value #HOLD_MILLIS} ms if the board is not
- * asked again. A board that has never answered gets its actions: it may be a board that only acts. Times are nanoseconds of one steady
+ * Holds actions back from a version 1 board that has missed an answer, if the board has answered before. Such a board does not read, and
+ * its buffer is soon full. So the board gets only requests and urgent actions until an answer comes, or for {@value #HOLD_MILLIS} ms if no
+ * request follows. A board that has never answered gets its actions: it may be a board that only acts. Times are nanoseconds of one steady
  * clock. Guarded by its user's lock.
  */
 final class Version1SilenceHold {
@@ -35,7 +35,7 @@ final class Version1SilenceHold {
         return hasAnswered && !isSilent;
     }
 
-    /** Nanoseconds until actions are free again if no answer comes; 0: they are free. */
+    /** Nanoseconds until actions may go out again if no answer comes; 0: they may go out now. */
     long nanosHeld(long now) {
         return isSilent && hasAnswered ? Math.max(0, heldUntil - now) : 0;
     }

@@ -17,8 +17,8 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The session with a board of version 2: its frames, its answers, and the facts found out through it. Guarded by the line's lock, which the
- * caller holds except for methods marked "Any thread".
+ * The session with a board of version 2: its frames, its answers, and the facts that it brings to light. Guarded by the line's lock, which
+ * the caller holds except for methods marked "Any thread".
  */
 final class Version2Session implements SessionListener<Command>, Inbox.Listener {
     private static final int NONE = -1;
@@ -32,15 +32,15 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private final int answerLimit;
     private final ComputerSession<Command> session;
     private final CommandFailures failures;
-    private volatile long movedNanos; // time of the last sign that the board is there
+    private volatile long movedNanos; // time at which the board was last heard
     private long receivedNanos; // time of the last frame
     private volatile Reply answer;
     private volatile Reply heard; // the newest percepts that came unasked
-    private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
+    private long askedBehind; // bytes written before the request for percepts; NONE: the request has not gone out
     private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
     private Throwable
-            failure; // the failure of the commands that are out when the session closes; null: they are unconfirmed
+            failure; // the failure for commands not acknowledged when the session closes; null: they are unconfirmed
     private boolean hasDropped; // an answer was dropped, and no answer has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
@@ -136,7 +136,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether the board owes something besides answers to requests. */
+    /** Returns whether something is awaited from the board besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }
@@ -161,7 +161,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         session.wrote(leavesAt);
     }
 
-    /** Fails the commands that are out. Begins another session if the line is still there. */
+    /** Fails the commands that were sent but not acknowledged. Begins another session if the line is still there. */
     void abandon(Throwable why) {
         failure = why;
         session.close(clock.nanos());
@@ -175,7 +175,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     public void received(WireFrame frame, long now) {
         receivedNanos = now;
         session.received(frame, now);
-        if (board.noSession().isEmpty()) { // otherwise no command would ever be given up
+        if (board.noSession().isEmpty()) { // while no session is possible, waiting commands must be given up in time
             movedNanos = now;
         }
         if (session.isSettled()) {

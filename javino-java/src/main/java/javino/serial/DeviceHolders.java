@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Finds the processes that have a device open. This needs a {@code /proc} in which this user may look at them. */
+/** Finds the processes that have a device open. It needs {@code /proc}, and sees only processes that this user may inspect. */
 final class DeviceHolders {
     private DeviceHolders() {}
 

@@ -9,11 +9,11 @@ import java.util.function.IntSupplier;
 import javino.PortInterruptedException;
 
 /**
- * Opens devices one after the other: jSerialComm has one error code for the whole program, that of the last failed opening. If a driver
- * takes long, as for Bluetooth, other openings wait only a moment and then begin. Safe on any thread.
+ * Opens devices one after the other, since jSerialComm keeps only one error code in the whole program: that of the last failed opening.
+ * While a driver takes long, as for Bluetooth, other openings wait only a moment and then begin. Safe on any thread.
  */
 final class DriverOpening {
-    /** Replaces an error code that may belong to another opening. */
+    /** Takes the place of an error code that may belong to another opening. */
     static final int UNKNOWN_CODE = -1;
 
     private final ReentrantLock turn = new ReentrantLock(true);
@@ -24,8 +24,8 @@ final class DriverOpening {
     }
 
     /**
-     * @param open opens the device by its driver; false: that failed
-     * @param errorCode gives the driver's error code of the failure
+     * @param open opens the device by its driver; false: the driver failed
+     * @param errorCode gives the driver's error code for the failure
      * @return empty: the device is open; else the driver's error code or {@link #UNKNOWN_CODE}
      */
     OptionalInt open(String port, BooleanSupplier open, IntSupplier errorCode) throws PortInterruptedException {

@@ -10,7 +10,7 @@ enum OpenFailure {
     NO_PERMISSION,
     OTHER;
 
-    // errno of Linux and macOS; only EAGAIN differs: it means that another process holds the lock
+    // errno of Linux and macOS, which differ only for EAGAIN (another process holds the lock)
     private static final Set<Integer> POSIX_NO_DEVICE =
             Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */, 21 /* EISDIR */, 25 /* ENOTTY */);
     private static final Set<Integer> POSIX_NOT_ALLOWED = Set.of(1 /* EPERM */, 13 /* EACCES */);

@@ -25,7 +25,7 @@ record SerialDevice(String name, String path) {
         return new SerialDevice(name, name.contains("/") ? name : "/dev/" + name);
     }
 
-    /** One address for all names of this device: the path with its symbolic links followed. */
+    /** The same address for all names of this device: the path with its symbolic links followed. */
     String canonicalAddress() {
         if (!hasNode()) {
             return path.toUpperCase(Locale.ROOT); // COM8 and com8 are one port

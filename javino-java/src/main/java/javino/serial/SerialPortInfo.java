@@ -8,7 +8,7 @@ import java.util.OptionalInt;
  *
  * @param name the port's name as {@link javino.link.Link#open} takes it: {@code ttyACM0}, {@code COM8}
  * @param path the port's path in the file system; on Windows its name
- * @param product the device's name for itself, if it has one
+ * @param product the name that the device gives itself, if any
  * @param manufacturer the device's manufacturer, if known
  * @param vendorId the USB vendor's number, if it is a USB device
  * @param productId the vendor's number of the product, if it is a USB device

@@ -10,14 +10,14 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javino.PortFaultException;
 
-/** Lists serial devices and looks at them without opening them: opening resets most boards. Safe on any thread. */
+/** Lists and describes serial devices without opening them, since opening resets most boards. Safe on any thread. */
 public final class SerialPorts {
-    private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a text that it does not know
+    private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a missing text
 
     private SerialPorts() {}
 
     /**
-     * The serial devices there are now, in alphabetical order of their names.
+     * The present serial devices, in alphabetical order of their names.
      *
      * @throws PortFaultException if the driver's native library cannot be loaded; the message says what to do
      */
@@ -32,7 +32,7 @@ public final class SerialPorts {
         }
     }
 
-    /** Like {@link #list}, but empty if jSerialComm cannot run; opening a device reports that. */
+    /** Like {@link #list}, but empty if jSerialComm cannot run; an attempt to open a device then reports the cause. */
     static List<SerialPortInfo> present() {
         try {
             return list();
@@ -57,7 +57,7 @@ public final class SerialPorts {
                 known(port.getSerialNumber()));
     }
 
-    /** The name that opens the port. For a device in a folder of {@code /dev}, such as a pseudo-terminal, this is its path. */
+    /** The name by which the port is opened. For a device in a folder of {@code /dev}, such as a pseudo-terminal, the name is its path. */
     private static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
         return device.hasNode() && !device.path().equals(port.getSystemPortPath())
@@ -75,13 +75,13 @@ public final class SerialPorts {
 
     /**
      * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty: no process has it open, or this
-     * user cannot see such processes; on systems without {@code /proc} nobody can.
+     * user cannot see the processes, as on every system without {@code /proc}.
      */
     public static List<String> holders(String port) {
         return DeviceHolders.of(SerialDevice.of(port));
     }
 
-    /** Says how this user gets permission to open a serial device; empty: the user has it, or only opening the device would show that. */
+    /** Says how this user gets permission to open a device; empty: the user has it, or only opening the device would show a lack. */
     public static Optional<String> permissionRemedy(String port) {
         SerialDevice device = SerialDevice.of(port);
         if (!device.hasNode() || !device.exists()) {

@@ -12,42 +12,42 @@ import javino.LineSettings;
 import javino.PortException;
 import javino.PortInterruptedException;
 
-/** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
+/** A serial device, or a pseudo-terminal in place of a device, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
-    /** The time that one read of the driver waits; the driver counts in tenths of a second. */
+    /** The time for which one read of the driver waits; the driver counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
 
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final int READ_END_MILLIS = 2_000;
     private static final int CLOSE_MILLIS = 2_000;
-    /** The interval at which the driver is asked for bytes in the last slice of a wait, on a line that was used just now. */
+    /** The shortest interval at which the driver is asked for bytes, in the last slice of a wait; used on a line that was just in use. */
     private static final long POLL_NANOS = 250_000L;
-    /** The longest interval, on a line that has long been still: unasked messages are rare, and each question to the driver takes time. */
+    /** The longest interval, used on a line that has long been still: unasked messages are rare, and asking the driver takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** The interval is the time since the last byte, divided by this. */
+    /** The interval is the time since the last byte divided by this number. */
     private static final int STILL_SHARE = 8;
 
-    /** The time that written bytes get to leave the driver: closing the port drops the rest. */
+    /** The time for which a close waits until written bytes have left the driver; then it drops the rest. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that any driver certainly takes. This size is used for drivers that do not tell how many bytes wait, such as pseudo-terminals.
-     * A pseudo-terminal of Linux holds four times this number. One of macOS holds more than this number at 9600 baud.
+     * Bytes that any driver certainly takes. This size counts for drivers that do not tell how many bytes wait, as for pseudo-terminals. A
+     * pseudo-terminal of Linux holds four times this number. One of macOS holds more than this number at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
-    /** Held while the driver reads: no other thread closes the driver in that time. */
+    /** Locked while the driver reads, so that no other thread closes the driver meanwhile. */
     final ReentrantLock reading = new ReentrantLock();
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
     private volatile long stillSince = System.nanoTime();
-    /** The driver has shown that it counts the bytes waiting in it. */
+    /** True: the driver has shown that it counts the bytes that wait in it. */
     private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -71,7 +71,7 @@ final class SerialTransport extends DriverTransport {
 
     private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
         if (!device.exists()) {
-            // jSerialComm would search for the name in other places
+            // jSerialComm would look for a device of that name elsewhere
             throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         }
         SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
@@ -88,7 +88,7 @@ final class SerialTransport extends DriverTransport {
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
         boolean slice =
-                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so a read of nearly a slice counts as a whole one
+                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so that a read of almost a slice counts as a whole one
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();
@@ -99,8 +99,8 @@ final class SerialTransport extends DriverTransport {
     }
 
     /**
-     * The time until the driver is asked again, if the line has been still for {@code stillNanos}. At 50 Hz the questions cost more than
-     * all other work.
+     * The time until the driver is asked for bytes again, on a line that has been still for {@code stillNanos}. At 50 Hz, asking costs more
+     * than all other work.
      */
     static long pollNanos(long stillNanos) {
         return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
@@ -157,7 +157,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
-        boolean interrupted = Thread.interrupted(); // an interrupted thread closes the port as carefully
+        boolean interrupted = Thread.interrupted(); // so that an interrupted thread, too, closes the port carefully
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         boolean readingEnded = false;
@@ -200,7 +200,7 @@ final class SerialTransport extends DriverTransport {
                         "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
-    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}. Does nothing for a lost device. */
+    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}. Does nothing if the device is lost. */
     private void linger() {
         long now = System.nanoTime();
         long deadline = now + MAX_LINGER_NANOS;

@@ -5,14 +5,14 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javino.NoSuchPortException;
 
-/** Finds the one device with an identity on USB among the serial devices that are {@code present} now. */
+/** Finds the device with a given USB identity among the serial devices that {@code present} returns. */
 record UsbDevices(Supplier<List<SerialPortInfo>> present) {
-    /** macOS has two names for each device. The name with this beginning is for incoming calls; the other name is the one to open. */
+    /** macOS has two names for each device. A name that begins like this is for incoming calls; the other name is the one to open. */
     private static final String MAC_CALL_IN = "tty.";
 
     private static final String MAC_CALL_OUT = "cu.";
 
-    /** @throws NoSuchPortException if no device has this identity, or several have it; lists the devices */
+    /** @throws NoSuchPortException if not exactly one device has this identity; lists the devices */
     SerialDevice device(String port, String address) throws NoSuchPortException {
         List<SerialPortInfo> fitting = fitting(port, address);
         return switch (fitting.size()) {
@@ -59,7 +59,7 @@ record UsbDevices(Supplier<List<SerialPortInfo>> present) {
                 .collect(Collectors.joining(", "));
     }
 
-    /** Leaves out the second names that macOS has for the same devices. */
+    /** Leaves out the second name that macOS has for each device. */
     static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
         List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
         return ports.stream()

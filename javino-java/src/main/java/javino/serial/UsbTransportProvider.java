@@ -22,7 +22,7 @@ public class UsbTransportProvider implements TransportProvider {
     }
 
     /**
-     * Takes the devices from another list than the driver's.
+     * A provider for devices of another list than the driver's.
      * @param present the serial devices there are now; called on any thread, about once a second while a device is missing
      */
     protected UsbTransportProvider(String scheme, Supplier<List<SerialPortInfo>> present) {
@@ -48,7 +48,7 @@ public class UsbTransportProvider implements TransportProvider {
         try {
             return Transports.SERIAL + ':' + devices.device(port, address).canonicalAddress();
         } catch (NoSuchPortException e) {
-            return port; // the address names no device now
+            return port; // no device has this identity now
         }
     }
 

@@ -3,7 +3,7 @@ package javino.session;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Puts the parts of answers together. */
+/** Joins the parts of answers. */
 final class AnswerParts {
     /** An answer: the number of its request (0: it came unasked) and its items (null: a part is missing). */
     record Answer(int request, String items) {}

@@ -35,7 +35,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After this number of frames in a row with impossible numbers, the board is taken to have left the current session. */
+    /** So many frames in a row with impossible numbers show that the board has left the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -56,7 +56,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean mustResume;
     private boolean isBusy;
-    private boolean isTimed; // the retransmission timer runs since timerFrom
+    private boolean isTimed; // the retransmission timer has run since timerFrom
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
@@ -88,7 +88,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN;
     }
 
-    /** Returns whether the board owes something besides answers to requests. */
+    /** Returns whether something is awaited from the board besides answers to requests. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
@@ -105,7 +105,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Ends the session, if there is one, and sends nothing more. Commands that are out are unconfirmed. */
+    /** Ends the session, if there is one, and sends nothing more. Commands that were sent but not acknowledged end as unconfirmed. */
     public void close(long now) {
         end(State.CLOSED, now);
     }
@@ -123,11 +123,11 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session follows. */
+    /** Records that a frame of version 1 goes out. The frame ends any session that the board has begun, so another session must follow. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
-        } else { // WELCOME arrived when this frame's turn came
+        } else { // WELCOME arrived just before this frame's turn
             end(State.OPENING, now);
         }
     }
@@ -138,8 +138,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Asks for percepts, again and again, until {@link #cancelRequest} or the report of the answer. Percepts that arrive before the request
-     * has gone out are no answer.
+     * Asks for percepts again and again, until the answer is reported or {@link #cancelRequest} is called. Percepts that arrive before the
+     * request has gone out are not the answer.
      *
      * @param functors empty for all, or {@code (dist,light)}
      */
@@ -152,7 +152,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Takes a frame that has come: WELCOME, or a frame of this session. */
+    /** Handles a frame that has arrived: WELCOME, or a frame of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
@@ -178,8 +178,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version 2. If commands
-     * have already begun in the session of the WELCOME, another computer uses the same nonce.
+     * Handles a WELCOME that arrives while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version
+     * 2. If commands have already begun in the session of the WELCOME, another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -320,9 +320,9 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * The frame to write now; null: there is none. The frame counts as sent; {@link #wrote} must follow.
+     * The frame to write now; null: there is none. The frame counts as sent; the caller then calls {@link #wrote}.
      *
-     * @param waiting the commands that it may take
+     * @param waiting the commands that the frame may carry
      */
     public WireFrame next(long now, WaitingCommands<C> waiting) {
         if (state == State.OPEN) {
@@ -358,7 +358,7 @@ public final class ComputerSession<C extends SessionCommand> {
         if (requests.bytes() > 0) {
             silentRepetitions++; // the request before this one has no answer yet
         } else if (window.size() == 0) {
-            heardAt = now; // nothing has been awaited
+            heardAt = now; // until now nothing was awaited
         }
         return requests.next(welcome.longestPayload(), nonce);
     }
@@ -412,7 +412,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame commands(long now, WaitingCommands<C> waiting) {
         if (isSettled()) {
-            heardAt = now; // nothing has been awaited
+            heardAt = now; // until now nothing was awaited
         }
         Row row = new Row(isSettled());
         int first = window.size();
@@ -443,7 +443,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private final class Row {
-        private final boolean isFirst; // no other row is out, so this row may exceed the credit
+        private final boolean isFirst; // all other commands are acknowledged, so this frame may exceed the credit
         private String payload = "";
 
         Row(boolean isFirst) {

@@ -7,13 +7,13 @@ import java.util.stream.IntStream;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions. A HELLO with such a nonce needs no escape, and holds no {@code f}, which begins a version 1 frame. */
+/** Chooses the nonces of sessions. HELLO with such a nonce needs no escape. It contains no {@code f}, with which version 1 frames begin. */
 final class Nonces {
     private static final List<Integer> USABLE =
             IntStream.rangeClosed(1, 0xFF).filter(Nonces::isUsable).boxed().toList();
 
     private final RandomGenerator random;
-    private int last = -1; // place of the last nonce among the usable ones; -1: none yet
+    private int last = -1; // index of the last chosen nonce; -1: none yet
 
     Nonces(RandomGenerator random) {
         this.random = random;
@@ -28,7 +28,7 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /** Returns an unused nonce as long as there is one: a late WELCOME with an earlier nonce then answers no HELLO of this session. */
+    /** Returns an unused nonce as long as there is one. So a late WELCOME, which has an earlier nonce, cannot answer a new HELLO. */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
         return USABLE.get(last);

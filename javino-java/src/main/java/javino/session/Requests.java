@@ -7,8 +7,8 @@ import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes twice the smoothed time of answers.
- * Takes the first answer that comes to any request sent since the last answer.
+ * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes longer than twice the smoothed time of
+ * earlier answers. The first answer to any request sent since the last answer is taken.
  */
 final class Requests {
     private static final int NUMBERS = 255;
@@ -16,11 +16,11 @@ final class Requests {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final int MAX_DOUBLINGS = 4;
-    /** A line that has been silent for this time, or for four byte times, is not sending the answer. */
+    /** A line that has been silent for this time, or for four byte times if that is longer, is not bringing the answer. */
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     private static final int QUIET_BYTES = 4;
-    /** Bytes postpone a repetition at most for this time: a line that is never silent brings something else than the answer. */
+    /** Arriving bytes postpone a repetition by this time at most: on a line that is never silent, they are not the answer. */
     private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final int SMOOTHING = 4;
@@ -28,18 +28,18 @@ final class Requests {
     private final long quietNanos;
     private final PerceptDecoder reader = new PerceptDecoder();
     private final AnswerParts parts = new AnswerParts();
-    private long asked; // requests in this session
-    private long answered; // how many requests are answered, or older than an answered one
-    private String wanted; // functors; null: nothing is wanted
-    private boolean isOut; // a request for the wanted functors is out
+    private long asked; // number of requests in this session
+    private long answered; // number of requests that are answered, or older than an answered one
+    private String wanted; // functors of the wanted percepts; null: none are wanted
+    private boolean isOut; // a request for the wanted percepts has been sent
     private boolean isDamaged;
     private int repetitions;
     private int doublings;
     private long dueAt;
     private long leftAt;
-    private long smoothedNanos; // 0: none has been timed
+    private long smoothedNanos; // smoothed time of the answers; 0: no answer has been timed
     private long lastByteAt;
-    private int bytes; // length of the newest request, while it is not answered
+    private int bytes; // length of the newest request; 0: it is answered
 
     Requests(long byteNanos) {
         quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);

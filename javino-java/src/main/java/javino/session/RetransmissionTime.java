@@ -3,8 +3,9 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte; longer with each
- * vain repetition. {@link ComputerSession} also repeats frames when the board shows that it has missed something.
+ * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte. Each vain
+ * repetition doubles the time, up to a limit. {@link ComputerSession} also repeats frames when the board shows that it has missed
+ * something.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -13,7 +14,7 @@ final class RetransmissionTime {
 
     private static final int SMOOTHING = 8;
 
-    private long smoothedNanos; // 0: none has been measured
+    private long smoothedNanos; // smoothed round trip; 0: none has been measured
     private int doublings;
 
     /** Records the time from the last byte of a frame to its acknowledgement. The frame was sent only once. */

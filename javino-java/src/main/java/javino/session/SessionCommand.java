@@ -2,7 +2,7 @@ package javino.session;
 
 import javino.wire.CommandItem;
 
-/** A command as a session takes it to the board. */
+/** A command that a session sends to the board. */
 public interface SessionCommand {
     /** The command's text, a character a byte; for a command that changes rules, a description for a person. */
     String text();

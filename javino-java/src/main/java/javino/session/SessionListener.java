@@ -42,6 +42,6 @@ public interface SessionListener<C> {
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);
 
-    /** The board has not answered for so long that another may be in its place. The session is closed. */
+    /** The session is closed: the board has not answered for so long that another board may be in its place. */
     void lapsed();
 }

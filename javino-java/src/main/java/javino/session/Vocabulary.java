@@ -12,7 +12,7 @@ import javino.wire.FrameKind;
 import javino.wire.VocabularyPage;
 import javino.wire.WireFrame;
 
-/** Asks the board for its actions, page by page, and knows the numbers of those without arguments. */
+/** Asks the board for its actions, page by page, and keeps the numbers of the actions without arguments. */
 final class Vocabulary {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     private static final int MAX_DOUBLINGS = 6;
@@ -63,7 +63,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. A late page waits until the line is read for another reason. */
+    /** Returns whether a page may come soon. Nobody reads the line only for a late page. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }
@@ -79,7 +79,7 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page. Returns false if the wanted page has no action although some are missing. */
+    /** Takes a page. Returns false if the wanted page has no action although some are still unknown. */
     boolean accept(VocabularyPage page, long now) {
         if (!asks() || page.first() != actions.size()) {
             return true;

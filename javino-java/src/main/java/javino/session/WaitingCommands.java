@@ -5,6 +5,6 @@ public interface WaitingCommands<C> {
     /** The command whose turn is next; null: none waits. */
     C head();
 
-    /** Takes the {@link #head}: it goes out now. */
+    /** Removes the {@link #head}, which goes out now. */
     void begin();
 }

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** The commands that are out, {@value #SIZE} at most, and the frames that carry them. */
+/** The commands that are out, which means sent but not acknowledged, {@value #SIZE} at most; and the frames that carry them. */
 final class Window<C> {
     static final int SIZE = 16;
 
@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. The frame carries the commands that are out and stand before place {@code end}. */
+    /** A frame on its way. Its last command has the index {@code end} - 1 among those that are out. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
@@ -37,7 +37,7 @@ final class Window<C> {
     private int unsent;
     private OptionalLong roundTrip = OptionalLong.empty();
 
-    /** The number of the oldest command that is out; if none is out, of the next command. */
+    /** The number of the oldest command that is out; if none is out, the number of the next command. */
     int oldest() {
         return oldest;
     }
@@ -50,7 +50,7 @@ final class Window<C> {
         return out.size() == SIZE;
     }
 
-    /** The place of the first command that is to be sent again; {@link #size} if there is none. */
+    /** The index of the first command that is to be sent again; {@link #size} if there is none. */
     int unsent() {
         return unsent;
     }
@@ -76,7 +76,7 @@ final class Window<C> {
         out.add(new Entry<>(command));
     }
 
-    /** Lets all commands that are out be sent again. */
+    /** Marks all commands that are out to be sent again. */
     void repeat() {
         unsent = 0;
         frames.clear();
@@ -95,7 +95,7 @@ final class Window<C> {
         }
     }
 
-    /** Takes the {@code count} oldest commands, which the board has handled by {@code now}. */
+    /** Removes and returns the {@code count} oldest commands, which the board has handled by {@code now}. */
     List<Entry<C>> acknowledge(int count, long now) {
         List<Entry<C>> handled = new ArrayList<>(out.subList(0, count));
         out.subList(0, count).clear();
@@ -119,7 +119,7 @@ final class Window<C> {
         return roundTrip;
     }
 
-    /** Takes all commands. The next command has the number 0. */
+    /** Removes and returns all commands. The next command gets the number 0. */
     List<Entry<C>> clear() {
         List<Entry<C>> all = new ArrayList<>(out);
         out.clear();

@@ -22,8 +22,7 @@ import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /**
- * Runs a board's program: takes messages from a line one by one, has the program handle each, and answers in the protocol version of the
- * message.
+ * Runs a board's program: reads messages from a line, lets the program handle them one by one, and answers each in its protocol version.
  * <p>One loop serves one opening of the port. The board's thread calls all methods; only {@link #say} and {@link #write} are safe on any
  * thread.
  */
@@ -37,25 +36,25 @@ public final class BoardLoop {
     private final BoardProgram program;
     private final LineClock clock;
     private final Lock writing; // a test sends on its own thread
-    private final Condition never; // a condition of the lock writing
+    private final Condition never; // a condition of the lock writing that is never signalled
     private final BoardReceiver receiver;
     private final BoardSession session;
     private final Deque<BoardReceiver.Found> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
-    private volatile int version = 1; // version of the message handled last
-    // the receiver's clock is the sum of all silences, so bytes that waited in a buffer or for this thread are not late
+    private volatile int version = 1; // protocol version of the message that was handled last
+    // the receiver's clock: the sum of all silences, so bytes that waited for this thread do not count as late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;
     private boolean isLooking;
     private boolean hasToldLeftOut;
-    private boolean isHandlingCommands; // further commands may follow
+    private boolean isHandlingCommands; // true: further commands of the frame may follow
     private boolean isAnswering;
     private int requestBytes;
     private int answerBytes;
     private long read; // number of bytes read
-    private volatile long handled; // number of bytes whose messages have all been handled
+    private volatile long handled; // number of bytes read when all messages had last been handled
     private volatile int silences;
 
     /** A loop that reads both versions and watches no rules. */
@@ -84,7 +83,7 @@ public final class BoardLoop {
                 arrived::add);
     }
 
-    /** The nonce of the session to which new bytes belong when the messages before them have been handled; 0: none. */
+    /** The nonce with which new bytes are checked: that of the session which unhandled messages begin, else of the present one; 0: none. */
     private int nonce() {
         Iterator<BoardReceiver.Found> newestFirst = arrived.descendingIterator();
         while (newestFirst.hasNext()) {
@@ -109,7 +108,7 @@ public final class BoardLoop {
         handleNext();
     }
 
-    /** Waits for bytes unless a message is there. Takes all bytes that have arrived at the end of the wait. */
+    /** Waits for bytes, unless a message waits to be handled. Then takes all bytes that have arrived. */
     void receive(int timeoutMillis) throws PortException {
         board = Thread.currentThread();
         boolean waits = arrived.isEmpty();
@@ -118,7 +117,7 @@ public final class BoardLoop {
         try {
             count = line.read(buffer, 0, buffer.length, waits ? patience(timeoutMillis) : 0);
         } catch (PortGoneException e) {
-            if (waits) { // else the messages that arrived earlier come first
+            if (waits) { // otherwise a message that has arrived is handled first
                 throw e;
             }
         }
@@ -187,7 +186,7 @@ public final class BoardLoop {
                 || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
             return;
         }
-        isLooking = true; // frames that this look sends cause no second look
+        isLooking = true; // so that frames which this look sends cause no second look
         try {
             String percepts = program.sensors();
             session.look(percepts == null ? "" : percepts);
@@ -201,7 +200,7 @@ public final class BoardLoop {
         return arrived.size();
     }
 
-    /** Removes and returns the oldest unhandled message; empty: it is of version 2, so the computer repeats it. */
+    /** Removes and returns the oldest unhandled message; empty: the message is of version 2, so the computer repeats it. */
     Optional<Frame> overwrite() {
         return Optional.ofNullable(arrived.remove().version1());
     }
@@ -210,7 +209,7 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** Notes for others that the current message is handled. */
+    /** Records that the current message is handled, for {@link #isDrained}. */
     void markHandled() {
         if (arrived.isEmpty() && !isHandlingCommands && receiver.nanosUntilIdle(silentNanos) == Long.MAX_VALUE) {
             handled = read;
@@ -228,7 +227,7 @@ public final class BoardLoop {
 
     /**
      * Returns whether all that was written to the board has been read and handled; safe on any thread.
-     * @param silencesBefore an earlier value of {@link #silences}; if nothing else shows that the line is empty, two more silences do
+     * @param silencesBefore an earlier value of {@link #silences}; on a line that is not in memory, two more silences show that it is empty
      */
     boolean isDrained(int silencesBefore) {
         return line instanceof MemoryLine.End end ? end.isRead(handled) : silences - silencesBefore >= 2;
@@ -253,7 +252,7 @@ public final class BoardLoop {
         }
     }
 
-    /** Splits a text into messages of {@link #version}. Sends all but the last, and returns the last. */
+    /** Splits a text into messages of {@link #version}. Returns the last message, and sends the messages before it. */
     String sayBeginning(String text) throws PortException, InterruptedException {
         List<String> messages = version == 1 ? MessageParts.of(text) : List.of(text);
         if (!hasToldLeftOut && messages.stream().mapToInt(String::length).sum() < text.length()) {
@@ -269,7 +268,7 @@ public final class BoardLoop {
         return messages.get(messages.size() - 1);
     }
 
-    /** Sends a frame of the session, on the thread that causes it. */
+    /** Sends a frame of the session, on the thread that caused the frame. */
     private void sendFrame(WireFrame frame, int nonce) throws PortException, InterruptedException {
         byte[] bytes = frame.toBytes(nonce);
         put(bytes);
@@ -292,7 +291,7 @@ public final class BoardLoop {
 
     /**
      * Writes bytes. On the board's thread, returns when the last byte has left: a board does not read while it sends. If the port is
-     * closed, the bytes are lost, as on a device; {@link #step} throws when all that was received has been handled.
+     * closed, the bytes are lost, as on a device; {@link #step} throws once all received messages are handled.
      */
     public void send(byte... bytes) throws PortException, InterruptedException {
         put(bytes);

@@ -7,8 +7,8 @@ import javino.PortException;
 import javino.wire.BoardAction;
 
 /**
- * The program of a simulated board, like the sketch of a real one. The board's thread calls all methods; they may take their time, and the
- * board does nothing else meanwhile.
+ * The program of a simulated board, like the sketch of a real one. The board's thread calls all methods. A method may take long; the board
+ * does nothing else in that time.
  */
 public interface BoardProgram {
     enum Outcome {
@@ -18,14 +18,14 @@ public interface BoardProgram {
         /** The command is unknown, or has wrong arguments. */
         REFUSED,
 
-        /** The command was begun; {@link BoardSession#report} follows. In version 1 this means {@link #DONE}. */
+        /** The command was begun, and {@link BoardSession#report} will tell its outcome. In version 1 this counts as {@link #DONE}. */
         LATER
     }
 
     /**
-     * The actions that the board reports to computers; empty: none. Actions without arguments may be called by their place in this list.
-     * Only the first 126 actions with names of at most 250 bytes count. A computer learns how many others there are, and sends none of
-     * them.
+     * The actions that the board reports to computers; empty: none. Computers may call actions without arguments by their index in this
+     * list. Only the first 126 actions with names of at most 250 bytes count. A computer learns how many actions are left out, and sends
+     * none of these.
      */
     default List<BoardAction> vocabulary() {
         return List.of();
@@ -40,7 +40,7 @@ public interface BoardProgram {
     Outcome carryOut(String command) throws PortException, InterruptedException;
 
     /**
-     * The answer to a request for percepts, each with a {@code ;} behind it.
+     * Returns the answer to a request: percepts, each with a {@code ;} behind it.
      *
      * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for the percepts of some functors
      * @return null: no answer
@@ -56,7 +56,7 @@ public interface BoardProgram {
      * Called when the line has taken the answer to a request.
      *
      * @param requestBytes the length of the request in bytes
-     * @param answerBytes the length of the answer in bytes, in version 2 of all its parts
+     * @param answerBytes the length of the answer in bytes; in version 2 the sum of all its parts
      * @param endNanos the time by the line's clock at which the last byte of the answer leaves the line
      */
     default void answered(int requestBytes, int answerBytes, long endNanos) {}

@@ -18,9 +18,9 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The board's side of version 2 of the protocol. Frames come in and go out; the board's program handles commands and gives percepts.
+ * The board's side of version 2 of the protocol. It takes and sends frames; the board's program handles commands and gives percepts.
  * <p>It has no thread and no clock. The board's thread calls {@link #receive} and {@link #look}; {@link #sendPercepts} and {@link #report}
- * are safe on any thread. The thread that causes a frame gives it to the line.
+ * are safe on any thread. The thread that causes a frame also sends it.
  */
 public final class BoardSession {
     /** Takes the frames that the session sends. */
@@ -38,12 +38,12 @@ public final class BoardSession {
      * The capacity of a board.
      *
      * @param credit bytes of frames that the board holds while its program is busy, 0 to 255
-     * @param longestPayload most bytes of payload that it takes, 0 to 255
-     * @param rules critical rules that it watches, 0 to 255
-     * @param shapes percept texts that it can number, 0 to 126
+     * @param longestPayload most bytes of payload that the board takes, 0 to 255
+     * @param rules number of critical rules that the board can watch, 0 to 255
+     * @param shapes number of shapes of percepts that the board can number, 0 to 126
      */
     public record Capacity(int credit, int longestPayload, int rules, int shapes) {
-        /** The largest capacity that the protocol can express, without rules. */
+        /** The largest capacity that the protocol can express, but with 0 rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
         /** Returns this capacity, with {@code value} rules. */
@@ -52,7 +52,7 @@ public final class BoardSession {
         }
     }
 
-    /** The most bytes of an answer in one frame while there are rules, so that no urgent frame waits for a long frame. */
+    /** The most bytes of an answer in one frame while there are rules, so that no urgent frame waits for a long one. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;
@@ -62,14 +62,14 @@ public final class BoardSession {
     private final Line line;
     private final HeldRules rules;
 
-    // guarded by this
+    // the fields from here on are guarded by this object
     private final PerceptWriter writer;
     private int nonce; // 0: there is no session
     private int due;
     private boolean isRefused;
     private boolean isBusy;
     private int known;
-    private long begun; // actions that report their outcome later
+    private long begun; // number of actions so far that report their outcome later
 
     public BoardSession(BoardProgram program, Capacity capacity, Line line) {
         this.program = program;
@@ -91,7 +91,7 @@ public final class BoardSession {
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else the same HELLO came twice
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // otherwise the same HELLO came twice
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {
@@ -106,7 +106,7 @@ public final class BoardSession {
         }
     }
 
-    /** Ends the session, if there is one: the sender of a frame of version 1 knows of no session. */
+    /** Ends the session, if there is one, after a frame of version 1: its sender knows of no session. */
     public void end() {
         begin(0);
     }
@@ -197,15 +197,15 @@ public final class BoardSession {
         }
     }
 
-    /** The action whose outcome is open, for {@link #report}; 0: there is none. */
+    /** The action whose outcome is not reported yet, for {@link #report}; 0: there is none. */
     public synchronized long openAction() {
         return isBusy ? begun : 0;
     }
 
     /**
-     * Reports the outcome of an action that returned {@link Outcome#LATER}. An action of an earlier session is ignored.
+     * Reports the outcome of an action that returned {@link Outcome#LATER}. Ignores an action of an earlier session.
      *
-     * @param action the value of {@link #openAction} while the action is open
+     * @param action the value of {@link #openAction} after the action began
      */
     public void report(long action, boolean isDone) throws PortException, InterruptedException {
         synchronized (this) {
@@ -235,7 +235,7 @@ public final class BoardSession {
         }
     }
 
-    /** Sends percepts unasked, each with a {@code ;} behind it. Sends nothing without a session. */
+    /** Sends percepts unasked; each must have a {@code ;} behind it. Without a session, sends nothing. */
     public void sendPercepts(String percepts) throws PortException, InterruptedException {
         if (isOpen()) {
             sendPercepts(0, percepts);
@@ -265,7 +265,7 @@ public final class BoardSession {
                         .payload());
     }
 
-    /** The program's actions that have a number. The computer learns how many others there are. */
+    /** The program's actions that have a number. Of the other actions the computer only learns how many there are. */
     private List<BoardAction> actions() {
         return program.vocabulary().stream()
                 .filter(action -> action.name().length() <= VocabularyPage.MAX_NAME)
@@ -284,7 +284,7 @@ public final class BoardSession {
         return !rules.isEmpty();
     }
 
-    /** Looks at the sensors. If a rule begins to be met, carries its reflex out and informs the computer. */
+    /** Compares percepts with the rules. If a rule begins to be met, carries its reflex out and informs the computer. */
     public void look(String percepts) throws PortException, InterruptedException {
         for (HeldRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());

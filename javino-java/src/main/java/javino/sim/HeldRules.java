@@ -24,7 +24,7 @@ final class HeldRules {
         }
     }
 
-    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds the rule and the outcome
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule and an outcome
 
     private final int capacity;
     private final Map<Integer, Watched> rules = new TreeMap<>(); // by the rule's number
@@ -41,7 +41,7 @@ final class HeldRules {
         rules.clear();
     }
 
-    /** Sets a rule or removes some, as a command says; false: the command is malformed, or the board has no room. */
+    /** Sets or removes rules, as a command says; returns false if the command is malformed or the board has no room. */
     boolean change(CommandItem.Rule command) {
         if (capacity == 0) {
             return false;
@@ -62,7 +62,7 @@ final class HeldRules {
         return true;
     }
 
-    /** Returns the rules that begin to be met by the percepts, by number. A percept that is too long for CRITICAL meets none. */
+    /** Returns the rules that these percepts begin to meet, by number. A percept that is too long for CRITICAL meets no rule. */
     List<Beginning> look(List<String> percepts) {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {
@@ -79,7 +79,7 @@ final class HeldRules {
         return beginnings;
     }
 
-    /** Returns whether the percept meets the rule, which {@code wasMet} at the last look. */
+    /** Returns whether the percept meets the rule; {@code wasMet} tells whether the rule was met at the last look. */
     static boolean isMet(BoardRule rule, PerceptTerm percept, boolean wasMet) {
         return percept.functor().equals(rule.functor())
                 && rule.conditions().stream()

@@ -18,10 +18,10 @@ import javino.PerceptsRequest;
 /**
  * The messages of a line in their order, with their times. Immutable.
  *
- * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
- * {@code <ms>\t<in|out|critical|reflex>\t<message>}.
- * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
- * another control character. Empty lines and lines that begin with {@code #} are ignored. {@link RecordingWriter} writes it.
+ * <p>A file of a recording is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
+ * {@code <ms>\t<in|out|critical|reflex>\t<message>}. {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and
+ * line ends in a message, <code>&#92;u0007</code> for another control character. Empty lines and lines that begin with {@code #} are
+ * ignored. {@link RecordingWriter} writes such files.
  *
  * @param entries the messages; their times never go back
  */
@@ -39,10 +39,10 @@ public record LineRecording(List<Entry> entries) {
         /** To the board. */
         OUT,
 
-        /** From the board, unasked: the percept that met one of its critical rules. */
+        /** From the board, unasked: the percept that met one of the board's critical rules. */
         CRITICAL,
 
-        /** A command that nobody sent: a board carried it out as the reflex of a critical rule. */
+        /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
         REFLEX;
 
         final String word = name().toLowerCase(Locale.ROOT);
@@ -76,14 +76,14 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** The messages that came from the board: answers, and unasked messages with all percepts of the board. */
+    /** The messages from the board with all its percepts: answers, and messages sent unasked. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)
                 .toList();
     }
 
-    /** Returns whether the board was asked for its percepts, and did not speak by itself. */
+    /** Returns whether the board sent its percepts when it was asked, not by itself. */
     public boolean isOfRequests() {
         return entries.stream()
                 .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
@@ -92,8 +92,8 @@ public record LineRecording(List<Entry> entries) {
     /**
      * Reads a file.
      *
-     * @throws java.nio.file.FileSystemException if it cannot be read
-     * @throws IOException also if it is not a recording; the message names file, line and fault
+     * @throws java.nio.file.FileSystemException if the file cannot be read
+     * @throws IOException also if the file is no recording; the message names file, line and fault
      */
     public static LineRecording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
@@ -101,7 +101,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** Like {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
+    /** Like {@link #read(Path)}, but reads {@code text}, which messages call {@code source}. Does not close the reader. */
     public static LineRecording read(Reader text, String source) throws IOException {
         LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();
@@ -124,12 +124,12 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line. Another file may be endless, so this reads only enough to show that it is no recording. */
+    /** Reads the first line, but only as far as a header is long: a file that is no recording may be endless. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
-        text.setLineNumber(1); // errors name the first line, however much was read
+        text.setLineNumber(1); // so that errors name the first line, however many lines were read
         // without the byte order mark of an editor
         String line =
                 new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");

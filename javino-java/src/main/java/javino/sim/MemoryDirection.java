@@ -5,7 +5,7 @@ import java.util.concurrent.locks.Lock;
 
 /** One direction of a {@link MemoryLine}: bytes, each with the time of its arrival. Guarded by the line's lock. */
 final class MemoryDirection {
-    /** Signalled when bytes are put on it or taken from it. */
+    /** Signalled when bytes are put on the line or taken from it. */
     final Condition changed;
 
     private final byte[] bytes;
@@ -24,7 +24,7 @@ final class MemoryDirection {
         lineFreeAt = now;
     }
 
-    /** Puts as many bytes on the line as it has room for; returns their number. */
+    /** Puts as many bytes on the line as there is room for; returns their number. */
     int put(byte[] source, int off, int len, long now) {
         int room = Math.min(len, bytes.length - count);
         lineFreeAt += Math.max(0, now - lineFreeAt);
@@ -67,7 +67,7 @@ final class MemoryDirection {
         count = 0;
     }
 
-    /** Nanoseconds until the next byte arrives; {@link Long#MAX_VALUE} when none is on its way. */
+    /** Nanoseconds until the next byte arrives; {@link Long#MAX_VALUE}: none is on its way. */
     long nanosUntilReady(long now) {
         return count == 0 ? Long.MAX_VALUE : Math.max(1, readyAt[first] - now);
     }

@@ -14,11 +14,11 @@ import javino.Transport;
 /**
  * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
  *
- * <p>It carries bytes at once, or gives each byte its time at the line's rate. The directions are independent. Like a driver it holds
- * {@value #CAPACITY} unread bytes a direction; a further write waits.
+ * <p>Bytes arrive at once, or each takes its time at the line's rate. The directions are independent. Like a driver, the line holds
+ * {@value #CAPACITY} unread bytes in each direction; a further write waits.
  *
- * <p>When one end is closed, the other may read the bytes that are on their way; then the line is gone for both. When the line is
- * unplugged, it is gone for both at once. All methods are safe on any thread.
+ * <p>When one end is closed, the other end can still read the bytes that are on their way; then the line is gone for both. When the line is
+ * unplugged, it is gone at once for both ends. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** The most unread bytes that the line holds in each direction. */
@@ -43,12 +43,12 @@ public final class MemoryLine {
         board = new End(toBoard, toComputer);
     }
 
-    /** A line that carries bytes at once, at any rate of {@code line}. */
+    /** A line on which bytes arrive at once, whatever the rate of {@code line}. */
     public static MemoryLine unlimited(String name, LineSettings line) {
         return unlimited(name, line, LineClock.system());
     }
 
-    /** A line that carries bytes at once, at any rate of {@code line}; its waits use {@code clock}. */
+    /** A line on which bytes arrive at once, whatever the rate of {@code line}; waits on it use {@code clock}. */
     public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
         return new MemoryLine(name, line, 0, clock);
     }
@@ -83,7 +83,7 @@ public final class MemoryLine {
         end(why, board.in);
     }
 
-    /** Ends the line and empties the directions that nobody reads any more. The first reason stays. */
+    /** Ends the line, and empties the given directions, which nobody reads any more. If it has ended already, the first reason stays. */
     private void end(String why, MemoryDirection... emptied) {
         lock.lock();
         try {

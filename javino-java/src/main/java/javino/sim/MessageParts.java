@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import javino.Frame;
 
 final class MessageParts {
-    /** Matches the rest of a message if it fits into a frame; else as many whole percepts as fit; else one percept that is too long. */
+    /** Matches the rest of a message if it fits into a frame; else as many whole percepts as fit; else a percept that is too long. */
     private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
 
     private MessageParts() {}

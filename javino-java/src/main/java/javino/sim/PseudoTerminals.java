@@ -71,7 +71,7 @@ public final class PseudoTerminals implements AutoCloseable {
         return directory.resolve("board").toFile();
     }
 
-    /** Takes both away, like a pulled cable. May be called twice. */
+    /** Removes both terminals, like a pulled cable. May be called twice. */
     @Override
     public void close() {
         socat.destroy();
@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // up to here only an empty temporary directory stays
+            directory.toFile().deleteOnExit(); // until then at worst an empty temporary directory stays
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -4,14 +4,14 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.concurrent.TimeUnit;
 
-/** Writes a {@link LineRecording}, message by message. Written messages stay even if the program is killed. Safe on any thread. */
+/** Writes a {@link LineRecording}, message by message. Written messages survive even if the program is killed. Safe on any thread. */
 public final class RecordingWriter implements AutoCloseable {
     private final Writer out;
     private final long startNanos;
     private long latestMillis;
 
     /**
-     * Begins a recording. Its time 0 ms is now.
+     * Begins a recording, at 0 ms.
      *
      * @param out takes the text; {@link #close} closes it
      * @param nowNanos the present time, by the same clock as for {@link #add}
@@ -22,7 +22,7 @@ public final class RecordingWriter implements AutoCloseable {
         line(LineRecording.HEADER);
     }
 
-    /** Adds a message at {@code nowNanos}; if that is earlier than the last message, at the last message's time. */
+    /** Adds a message at {@code nowNanos}, or at the time of the message before if that is later. */
     public synchronized void add(long nowNanos, LineRecording.Direction direction, String message) throws IOException {
         latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
         line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));

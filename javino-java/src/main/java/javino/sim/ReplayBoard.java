@@ -12,9 +12,9 @@ import javino.Transport;
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
  * <p>If the recorded board was asked for its percepts, this board answers requests. The recording runs from the first request on. Each
- * request gets the newest message up to this point of the recording; after the end, the last message. If the recorded board spoke unasked,
+ * request gets the newest message up to that moment of the recording; after its end, the last message. If the recorded board spoke unasked,
  * this board sends each message at its time, counted from the opening of the port. After the last message it falls silent. The board speaks
- * both versions of the protocol, and takes any command.
+ * both versions of the protocol, and accepts any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -47,7 +47,7 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * @param clock the clock of the recording's times
+     * @param clock the clock by which the recording runs
      * @throws IllegalArgumentException if the board says nothing in the recording
      */
     public static ReplayBoard of(LineRecording recording, LineClock clock) {
@@ -59,8 +59,8 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * Returns a copy of this board that answers request number n with message number n, at any time. A repeated request counts as another
-     * request; version 2 repeats a request whose answer is late.
+     * Returns a copy of this board that answers request number n with message number n, whenever it comes. A repeated request counts as
+     * another request; version 2 repeats a request whose answer is late.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
@@ -81,13 +81,13 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** The length of a round in ms. The last message gets the average time of the others. */
+    /** The length of a round in ms. The last message lasts as long as the others on average. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));
     }
 
-    /** The time at which message {@code number} is due, counted from the first; numbers go on in further rounds. */
+    /** The time at which message {@code number} is due, counted from the first message; numbers go on in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
         return rounds * periodMillis()

@@ -5,24 +5,25 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * A board that is a program: {@code sim:robot} in place of a device.
+ * A program in place of a board, at a port such as {@code sim:robot}.
  *
  * <p>{@link java.util.ServiceLoader} finds boards: public classes with a public constructor without arguments, named in
- * {@code META-INF/services/javino.sim.SimulatedBoard}. {@link SimulatedBoards#plugIn} plugs others in at run time.
+ * {@code META-INF/services/javino.sim.SimulatedBoard}. {@link SimulatedBoards#plugIn} adds other boards at run time.
  */
 @FunctionalInterface
 public interface SimulatedBoard {
     /**
      * Runs the board's program from the opening of its port until {@code line} is gone, like a sketch from reset.
      *
-     * <p>Runs on a thread of its own, never twice at a time for one plugged board. Bytes take their time at the port's rate,
+     * <p>Runs on a thread of its own; one plugged board never runs twice at a time. Bytes take their time at the port's rate,
      * {@code line.line().baud()}. When the port is closed and all earlier bytes have been read, calls on {@code line} throw
-     * {@link javino.PortGoneException}; let it through. The thread is interrupted if the board is unplugged, or if the port is opened again
-     * before this method has returned. When this method returns, the port is gone for its owner. The owner gets any other exception.
+     * {@link javino.PortGoneException}; do not catch it. The thread is interrupted if the board is unplugged, or if the port is opened
+     * again before this method has returned. When this method returns or throws, the port is gone for its owner, who gets the exception, if
+     * any.
      */
     void run(Transport line) throws PortException, InterruptedException;
 
-    /** The name behind {@code sim:} of a board found as a service. By default, its class's name in lower case. */
+    /** For a board found as a service, the name behind {@code sim:}. By default the name of its class in lower case. */
     default String name() {
         return getClass().getSimpleName().toLowerCase(Locale.ROOT);
     }

@@ -14,7 +14,7 @@ import javino.Services;
 import javino.Transport;
 
 /**
- * The simulated boards of this program, by name. The first search for a name plugs in the boards found as services, once each. The whole
+ * The simulated boards of this program, by name. The first search for a name plugs in each board that is found as a service. The whole
  * program has one table, as a machine has for its devices. All methods are safe on any thread.
  */
 public final class SimulatedBoards {
@@ -56,13 +56,13 @@ public final class SimulatedBoards {
         return true;
     }
 
-    /** The names of the boards there are, in alphabetical order, without the scheme. */
+    /** The names of the plugged boards, in alphabetical order, without the scheme. */
     public static List<String> names() {
         plugInServices();
         return List.copyOf(SOCKETS.keySet());
     }
 
-    /** Returns whether the program of the board under this name runs, or is about to. */
+    /** Returns whether the program of the board with this name runs, or is about to run. */
     static boolean isRunning(String name) {
         BoardSocket socket = SOCKETS.get(name);
         return socket != null && socket.isRunning();

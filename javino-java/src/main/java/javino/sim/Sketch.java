@@ -8,20 +8,20 @@ import javino.Transport;
 import javino.wire.BoardAction;
 
 /**
- * A board in a program, as two functions: one returns percepts, one carries out commands. The sketch speaks both versions of the protocol.
+ * A simulated board as two functions: one returns percepts, one carries out commands. The sketch speaks both versions of the protocol.
  *
- * <p>Like any {@link SimulatedBoard} it is the port {@code sim:NAME} if {@code META-INF/services/javino.sim.SimulatedBoard} names its
+ * <p>Like any {@link SimulatedBoard}, it has the port {@code sim:NAME} if {@code META-INF/services/javino.sim.SimulatedBoard} names its
  * class, or after {@code SimulatedBoards.plugIn("NAME", sketch)}. One object serves all openings of the port. The board's thread calls both
- * functions, one at a time. The methods may take their time: the board does nothing else meanwhile. An exception in them takes the port
- * away from its owner, who gets the exception's message.
+ * functions, one at a time. A function may take long: the board does nothing else in that time. If a function throws, the port is gone for
+ * its owner, who gets the exception's message.
  */
 public interface Sketch extends SimulatedBoard {
     /** Returns what the sensors show: literals such as {@code dist(front,30)}, without a {@code ;}. Called for each request. */
     List<String> percepts();
 
     /**
-     * Returns the kinds of its percepts for tools, checks and the live view: {@code PerceptKind.parseLines("dist(front|left, cm 0..400)")}.
-     * By default, none.
+     * Returns the kinds of the board's percepts, for tools, checks and the live view:
+     * {@code PerceptKind.parseLines("dist(front|left, cm 0..400)")}. By default, none.
      */
     default List<PerceptKind> perceptKinds() {
         return List.of();
@@ -30,11 +30,11 @@ public interface Sketch extends SimulatedBoard {
     /**
      * Carries out a command, as {@code ledOn} or {@code speed(3)}.
      *
-     * @return whether the board knows the command; if not, in version 2, a plan's {@code argo.act} fails with {@code error(act_refused)}
+     * @return true: the board knows the command; false: in version 2 a plan's {@code argo.act} fails with {@code error(act_refused)}
      */
     boolean act(String command);
 
-    /** Returns its actions, by which computers check commands: {@link BoardProgram#vocabulary}. By default, none. */
+    /** Returns the board's actions, by which computers check commands; see {@link BoardProgram#vocabulary}. By default, none. */
     default List<BoardAction> actions() {
         return List.of();
     }

@@ -52,7 +52,7 @@ final class SketchProgram implements BoardProgram {
         return message(sketch.sensors(), Set.of());
     }
 
-    /** The message with the percepts of the given functors; of all functors if the set is empty. */
+    /** The message with the percepts of the given functors, or with all percepts if the set is empty. */
     private static String message(List<String> percepts, Set<String> functors) {
         return percepts.stream()
                 .map(percept -> percept + ";")
@@ -60,7 +60,7 @@ final class SketchProgram implements BoardProgram {
                 .collect(Collectors.joining());
     }
 
-    /** The functor by which a request asks for a percept: without {@code ~}. */
+    /** The functor of a percept as requests name it: without {@code ~}. */
     private static String asked(String percept) {
         String functor = PerceptTerm.of(percept).functor();
         return functor.startsWith("~") ? functor.substring(1) : functor;

@@ -3,7 +3,7 @@ package javino.tcp;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 
-/** Runs system calls that no interrupt ends, each on a thread of its own: callers can give up waiting. */
+/** Runs each system call that no interrupt can end on a thread of its own, so that its caller can give up waiting. */
 final class BlockingCall {
     private BlockingCall() {}
 

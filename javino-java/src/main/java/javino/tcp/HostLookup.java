@@ -21,7 +21,7 @@ final class HostLookup {
 
     /**
      * @param resolver finds the addresses, as {@link InetAddress#getAllByName} does
-     * @throws UnknownHostException if there is no such host, or the lookup took longer; the message is for a person
+     * @throws UnknownHostException if there is no such host, or the lookup took longer than {@code limitNanos}; the message is for a person
      */
     static InetAddress[] addresses(String host, long limitNanos, Callable<InetAddress[]> resolver)
             throws UnknownHostException, InterruptedException {

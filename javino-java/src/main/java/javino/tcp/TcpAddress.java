@@ -13,7 +13,7 @@ import javino.NoSuchPortException;
  */
 record TcpAddress(String host, int number) {
     private static final int MAX_NUMBER = 65_535;
-    // java.net.URI finds neither host nor port if the host's name has an underscore
+    // java.net.URI finds no host and no port if the host's name has an underscore
     private static final Pattern FORM =
             Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
@@ -46,7 +46,7 @@ record TcpAddress(String host, int number) {
                         + scheme + "://192.168.1.20:4000)");
     }
 
-    /** One text for all spellings of an address. Does not look the host up. */
+    /** The same text for all spellings of an address. Does not look the host up. */
     String canonical() {
         return "//" + this;
     }

@@ -19,14 +19,14 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit. An interrupt ends the wait. */
 final class TcpConnector {
-    /** The time limit of the host's lookup, and of connecting to all its addresses; a local network needs a few milliseconds. */
+    /** The time limit for looking the host up, and for connecting to its addresses; in a local network both take a few milliseconds. */
     static final int LIMIT_MILLIS = 3_000;
 
-    /** Room for bytes that the far end has not taken: small, so no command waits long behind old ones. */
+    /** Room for bytes that the far end has not taken: small, so that no command waits long behind old commands. */
     private static final int SEND_BUFFER = 4_096;
-    /** Room for unread bytes: small, so outdated messages of a talkative board do not pile up. */
+    /** Room for unread bytes: small, so that outdated messages of a talkative board do not pile up. */
     private static final int RECEIVE_BUFFER = 32_768;
-    // with these times a resting line shows after some seven seconds that the far end has vanished
+    // with these times, the system notices on a resting line within some seven seconds that the far end has vanished
     private static final int KEEPALIVE_IDLE_SECONDS = 2;
     private static final int KEEPALIVE_INTERVAL_SECONDS = 1;
     private static final int KEEPALIVE_PROBES = 5;
@@ -60,7 +60,7 @@ final class TcpConnector {
         }
     }
 
-    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which ends it. */
+    /** Connects. The system's call cannot be interrupted, so an interrupt closes the socket, which ends the call. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
         try {

@@ -12,7 +12,7 @@ import javino.PortGoneException;
 /** A TCP connection to a board on the network, or to a serial server with a board behind it. {@link TcpConnector} sets its keepalive. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
-    /** The longest time that one read of the socket waits; no interrupt ends a read. */
+    /** The longest time for which one read of the socket waits, as an interrupt does not end a read. */
     private static final int MAX_SLICE_MILLIS = 100;
 
     private static final int DRAIN_BYTES = 65_536;
@@ -31,7 +31,7 @@ class TcpTransport extends DriverTransport {
         this.in = in;
     }
 
-    /** Returns whether {@link InputStream#available} counts all bytes that have arrived; if not, only a read finds them. */
+    /** Returns whether {@link InputStream#available} counts all arrived bytes; if not, only a read finds out. */
     boolean isInputPlain() {
         return true;
     }
@@ -79,7 +79,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     protected String lossWhenRefused() {
-        return "the connection broke"; // used only if no better reason is known
+        return "the connection broke"; // shown only if no better reason is known
     }
 
     String broken(IOException e) {
@@ -98,7 +98,7 @@ class TcpTransport extends DriverTransport {
         }
     }
 
-    /** Reads the rest. Closing a connection with unread bytes resets it, and the far end may then lose the last bytes sent to it. */
+    /** Reads the unread bytes: they would make a close a reset, and the far end might lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

@@ -19,7 +19,7 @@ import javino.PortInterruptedException;
 
 /** Makes a TLS connection over a TCP connection: checks the board's certificate, and shows the computer's own if the board asks for it. */
 final class TlsConnector {
-    /** The wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only behind the handshake. */
+    /** The time to wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only after the handshake. */
     private static final int REFUSAL_MILLIS = 300;
 
     private final String port;
@@ -44,13 +44,13 @@ final class TlsConnector {
 
     /**
      * @param folder the folder with the certificates; the certificate of a new board is added
-     * @param limitMillis milliseconds that each answer of the board may take while TLS begins
+     * @param limitMillis milliseconds that each answer of the board may take during the handshake
      * @throws PortException if there is no connection, or the other end is not trusted; its class and its message say why
      */
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // needs no board yet
+            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before the board is called
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);

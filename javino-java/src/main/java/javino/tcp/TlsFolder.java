@@ -22,8 +22,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The certificates of boards and of this computer, as PEM files in a folder. {@code robot_4433.crt} belongs to the board at
- * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. Each opening reads the files.
+ * A folder with the certificates of boards and of this computer, as PEM files. {@code robot_4433.crt} belongs to the board at
+ * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. Each opening of a port reads the files.
  *
  * @param path the folder, which need not exist
  */
@@ -32,7 +32,7 @@ public record TlsFolder(Path path) {
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([A-Za-z0-9+/=\\s]+)-----END PRIVATE KEY-----");
 
-    /** The folder of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
+    /** The folder that the property {@code javino.tls} names; else {@code .argo/tls} in the user's home. */
     public static TlsFolder ofUser() {
         String given = System.getProperty("javino.tls");
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
@@ -45,7 +45,7 @@ public record TlsFolder(Path path) {
     /**
      * The certificate that the board at {@code address} has to show; empty: none is known.
      *
-     * @throws IOException if its file holds no certificate; the message is for a person
+     * @throws IOException if the board's file holds no certificate; the message is for a person
      */
     Optional<X509Certificate> boardAt(TcpAddress address) throws IOException {
         Path file = fileOf(address);
@@ -97,14 +97,14 @@ public record TlsFolder(Path path) {
             byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
             return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
         } catch (GeneralSecurityException e) {
-            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate arrived in this encoding
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate was read in this encoding
         }
     }
 
     /**
-     * The certificates in {@code file}, one at least.
+     * The certificates in {@code file}, at least one.
      *
-     * @throws IOException if it holds none or cannot be read; the message is for a person
+     * @throws IOException if the file holds none or cannot be read; the message is for a person
      */
     public static X509Certificate[] certificates(Path file) throws IOException {
         try {

@@ -11,7 +11,7 @@ import javax.net.ssl.SSLSocket;
 import javino.LineSettings;
 
 final class TlsTransport extends TcpTransport {
-    /** The time limit for telling the far end that the connection ends; the far end may not read. */
+    /** The time limit for telling the far end that the connection ends: the far end may have stopped reading. */
     private static final int FAREWELL_MILLIS = 100;
 
     private final SSLSocket socket;
@@ -20,7 +20,7 @@ final class TlsTransport extends TcpTransport {
 
     /**
      * @param socket a socket over {@code plain} whose handshake is done; this transport owns both
-     * @param broken gives the reason of a lost connection, from the exception of a read or a write
+     * @param broken turns the exception of a read or a write into the reason of the loss
      */
     TlsTransport(
             SSLSocket socket,
@@ -37,7 +37,7 @@ final class TlsTransport extends TcpTransport {
 
     @Override
     boolean isInputPlain() {
-        return false; // bytes that have arrived may be encrypted still
+        return false; // arrived bytes may still be encrypted
     }
 
     @Override
@@ -50,14 +50,14 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // also after a failed farewell, so earlier bytes arrive
+                drain(plain, plain.getInputStream()); // even after a failed farewell, so that earlier bytes arrive
             }
         } catch (IOException e) {
             noteHaste(e);
         }
     }
 
-    /** Ends TLS. A waiting write may hold the TLS socket's lock, which this needs; closing the TCP socket beneath ends the write. */
+    /** Ends TLS. This takes the TLS socket's lock. If a waiting write holds the lock, closing the TCP socket below ends the write. */
     private void sayFarewell() {
         try {
             BlockingCall.start("close " + name(), () -> {

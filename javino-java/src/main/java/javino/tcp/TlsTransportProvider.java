@@ -5,8 +5,8 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * {@code tls://host:port}: a board on the network behind TLS. The first connection keeps the board's certificate in the folder
- * {@code ~/.argo/tls}, unless one is there already. From then on no other certificate is accepted; see the documentation of the ports.
+ * {@code tls://host:port}: a board on the network behind TLS. The first connection stores the board's certificate in the folder
+ * {@code ~/.argo/tls}, unless it already has one. From then on only that certificate is accepted; see the documentation of the ports.
  */
 public final class TlsTransportProvider extends TcpTransportProvider {
     @Override

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The part of an answer that one frame carries, or all of it.
+ * A part of an answer, or a whole answer, as one frame carries it.
  *
  * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
  */
@@ -12,7 +12,7 @@ public record AnswerPart(FrameKind kind, String payload) {
     /** The most parts of an answer. */
     public static final int MAX_PARTS = 255;
 
-    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // less the numbers of request and part
+    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // two bytes hold the numbers of request and part
 
     /** The frames of an answer, as few as possible; see {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {
@@ -25,7 +25,7 @@ public record AnswerPart(FrameKind kind, String payload) {
      * The frames of an answer in their order.
      *
      * @param request number of the answered request; 0: none
-     * @param size the most bytes of the answer in a frame; raised if there would be too many parts
+     * @param size the most bytes of the answer in a frame; a greater size is used if there would be too many parts
      * @throws IllegalArgumentException if the answer is longer than {@value #MAX_PARTS} frames can carry
      */
     public static List<AnswerPart> split(int request, String items, int size) {

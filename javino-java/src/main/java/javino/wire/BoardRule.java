@@ -49,12 +49,12 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
     /**
      * A condition on an argument.
      *
-     * @param place the place of the argument, 1 to 9
+     * @param place the position of the argument, 1 to 9
      * @param value a number, or the text of another term
      * @param until the value that counts while the rule is met; null: {@code value} counts
      */
     public record Condition(int place, Operator operator, String value, String until) {
-        /** The highest place of an argument. */
+        /** The highest position of an argument. */
         public static final int MAX_PLACE = 9;
 
         public Condition {
@@ -75,7 +75,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return text.length() <= CommandItem.MAX_TEXT && text.chars().allMatch(c -> c <= 0xFF);
     }
 
-    /** The command that sets this as rule {@code number}, 1 to 255. */
+    /** The command that makes this the board's rule {@code number}, 1 to 255. */
     public CommandItem.Rule setting(int number) {
         return new CommandItem.Rule(text(number));
     }

@@ -67,7 +67,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** The commands of a payload. A cut or empty item ends them. */
+    /** The commands of a payload, up to the first cut or empty item. */
     static List<CommandItem> read(String payload) {
         List<CommandItem> items = new ArrayList<>();
         int at = 0;

@@ -21,7 +21,7 @@ final class Crc16 {
         return table;
     }
 
-    /** Begins anew for a frame of the session with this nonce; 0: of no session. */
+    /** Begins a new checksum, for a frame of the session with this nonce; 0: for a frame of no session. */
     void reset(int nonce) {
         value = START ^ nonce << 8;
     }

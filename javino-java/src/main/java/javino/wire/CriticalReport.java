@@ -3,7 +3,7 @@ package javino.wire;
 /**
  * A board's report that a rule begins to be met.
  *
- * @param outcome the outcome of its reflex
+ * @param outcome the outcome of the rule's reflex
  * @param percept the text of the percept that meets the rule, with its {@code ;}
  */
 public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {

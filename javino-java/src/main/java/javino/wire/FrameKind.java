@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** The purpose of a frame of version 2. */
 public enum FrameKind {
-    /** Begins a session; its number is the nonce. */
+    /** Begins a session; the number of the frame is the session's nonce. */
     HELLO(0x10),
     /** Requests percepts. */
     ASK(0x20),
@@ -12,7 +12,7 @@ public enum FrameKind {
     DESCRIBE(0x28),
     /** Commands. The first command has the frame's number, and each further command the next number. */
     COMMANDS(0x30),
-    /** Like {@link #COMMANDS}; the computer has also seen that the last command was refused. */
+    /** Like {@link #COMMANDS}, and tells the board that the computer has seen the refusal of a command. */
     COMMANDS_WITH_RESUME(0x31),
 
     /** The answer to {@link #HELLO}, or "no session". */
@@ -53,12 +53,12 @@ public enum FrameKind {
         return (code & FROM_BOARD) != 0;
     }
 
-    /** Returns whether a frame has the same checksum in all sessions: it begins a session, or reports that there is none. */
+    /** Returns whether frames of this kind have the same checksum in all sessions: only HELLO and WELCOME do. */
     boolean isOfNoSession() {
         return this == HELLO || this == WELCOME;
     }
 
-    /** The kind of a control byte without flags; null: there is none. */
+    /** The kind whose control byte, without flags, is {@code code}; null: there is none. */
     static FrameKind of(int code) {
         return BY_CODE[code];
     }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The computer's side of an answer: turns items into text, and keeps the shapes of a session. One thread at a time. */
+/** The computer's side of an answer: turns items into text, and keeps the {@link Shape}s of a session. One thread at a time. */
 public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
@@ -117,10 +117,10 @@ public final class PerceptDecoder {
         }
     }
 
-    /** Runs of digits, two a byte. */
+    /** Runs of digits, two digits in a byte. */
     private static final class HalfBytes {
         private final String bytes;
-        private int position; // place of the next half byte
+        private int position; // index of the next half byte
 
         HalfBytes(String bytes, int from) {
             this.bytes = bytes;
@@ -145,7 +145,7 @@ public final class PerceptDecoder {
             return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
         }
 
-        /** The place behind the digits and a padding half byte. */
+        /** The index of the byte behind the digits and their padding half byte. */
         int end() {
             if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
                 throw new UnreadableException();

@@ -4,15 +4,15 @@ package javino.wire;
 final class PerceptItems {
     /** The number of ids of shapes. */
     static final int MAX_IDS = 126;
-    /** A text that goes on in the next item. */
+    /** Begins a text that goes on in the next item. */
     static final char CONTINUED = 0x7E;
-    /** A text without an id. */
+    /** Begins a text without an id. */
     static final char NO_ID = 0x7F;
     /** Added to the id of an item that holds only digits. */
     static final char DIGITS = 0x80;
     /** The half byte that ends a run of digits. */
     static final int END_OF_RUN = 0xF;
-    /** The most bytes of text, or percepts, in one item. */
+    /** The most bytes of text, or the most percepts sent as digits, in one item. */
     static final int MAX_LENGTH = 255;
 
     private PerceptItems() {}

@@ -5,17 +5,17 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The board's side of an answer: turns percepts into items, and numbers the shapes of a session. One thread at a time. */
+/** The board's side of an answer: turns percepts into items, and numbers the {@link Shape}s of a session. One thread at a time. */
 public final class PerceptWriter {
     private final int capacity;
     private final Map<Shape, Integer> ids = new HashMap<>();
 
-    /** @param capacity shapes that the board can number, 0 to 126 */
+    /** @param capacity how many shapes the board can number, 0 to 126 */
     public PerceptWriter(int capacity) {
         this.capacity = Math.min(capacity, PerceptItems.MAX_IDS);
     }
 
-    /** The number of shapes that have a number in this session. */
+    /** How many shapes have a number in this session. */
     public int numbered() {
         return ids.size();
     }
@@ -29,7 +29,7 @@ public final class PerceptWriter {
      * The items of an answer.
      *
      * @param percepts texts, each with its {@code ;}
-     * @param known shapes that the computer knows
+     * @param known how many shapes the computer knows
      */
     public String items(List<String> percepts, int known) {
         StringBuilder items = new StringBuilder();

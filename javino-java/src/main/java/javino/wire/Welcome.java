@@ -5,10 +5,10 @@ package javino.wire;
  *
  * @param nonce the nonce of the session; 0: the board has no session
  * @param credit bytes of frames that the board can hold while its program is busy
- * @param longestPayload most bytes of payload that it takes
- * @param rules most critical rules that it holds
+ * @param longestPayload most bytes of payload that the board takes
+ * @param rules number of critical rules that the board can hold
  * @param revision the revision of version 2 that the board speaks; 0: a revision before {@link #REVISION}
- * @param actionsLost number of actions of its program that had no room
+ * @param actionsLost number of the program's actions for which the board had no room
  */
 public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {
     /** The revision of version 2 that this library speaks. */

@@ -5,7 +5,7 @@ import java.util.function.IntSupplier;
 
 /** Finds the frames of one direction and one session in the bytes that arrive. Times are nanoseconds of one clock. One thread at a time. */
 public final class WireDecoder {
-    private static final int PAYLOAD_AT = 3; // the payload stands behind length, kind and number
+    private static final int PAYLOAD_AT = 3; // length, kind and number come first
     private static final int CRC_LENGTH = 2;
 
     private final boolean fromBoard;
@@ -25,15 +25,15 @@ public final class WireDecoder {
     /**
      * @param fromBoard true: a board sends the frames; false: a computer does
      * @param timeoutNanos silence that ends a frame
-     * @param nonce gives the nonce of the session when a frame ends; 0: no session. Without a session a board checks only HELLO, and finds
-     *     other frames with any checksum; a computer finds only WELCOME
+     * @param nonce gives the nonce of the session when a frame ends; 0: no session. Without a session a board checks only the checksum of
+     *     HELLO, and finds all other frames; a computer finds only WELCOME
      * @param found takes each frame, on the thread that hands in its last byte
      */
     public WireDecoder(boolean fromBoard, long timeoutNanos, IntSupplier nonce, Consumer<WireFrame> found) {
         this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, nonce, found);
     }
 
-    /** Like the other constructor. A payload longer than {@code longestPayload} makes its frame a damaged one. */
+    /** Like the other constructor, but a frame with more than {@code longestPayload} bytes of payload counts as damaged. */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;

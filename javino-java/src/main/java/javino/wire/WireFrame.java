@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
  *
  * @param isRefused from the board: the last command was refused, and the commands behind it wait
  * @param isBusy from the board: the command that is due is being carried out
- * @param number the byte SS, 0 to 255: the number of a command, a request or a session; from the board, of the command that is due
+ * @param number the byte SS, 0 to 255: the number of a command, a request or a session; from the board: of the command that is due
  * @param payload 0 to {@value #MAX_PAYLOAD} characters, each a byte
  */
 public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int number, String payload) {
@@ -18,11 +18,11 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /** Bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    /** The byte that begins a frame. This byte stands in no other place of a frame. */
+    /** The byte that begins a frame. A frame contains this byte only at its beginning. */
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;
-    static final int ESCAPED = 0xA0; // added to a byte behind ESCAPE
+    static final int ESCAPED = 0xA0; // added to the byte that follows ESCAPE
     static final int REFUSED = 0x40;
     static final int BUSY = 0x20;
 
@@ -50,7 +50,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     }
 
     /**
-     * The bytes for the line, in an array of the caller's own.
+     * The frame's bytes on the line, in a new array.
      *
      * @param nonce the session's nonce, 0 to 255; the bytes of HELLO and WELCOME are the same in all sessions
      */

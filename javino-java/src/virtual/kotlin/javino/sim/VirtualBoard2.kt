@@ -12,11 +12,11 @@ import javino.wire.WireFrame
 
 /**
  * A simulated board in virtual time. It answers each request in the request's version. It refuses commands that begin with `bad`, and takes
- * longer over commands that begin with `walk`.
+ * longer for commands that begin with `walk`.
  *
  * @param startsAt the time in ms before which arriving bytes are lost
- * @param damage damages bytes of the line, in either direction
- * @param readsVersion1 whether it answers version 1 too
+ * @param damage damages bytes on the line, in either direction
+ * @param readsVersion1 true: the board answers version 1 too
  */
 internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
@@ -25,7 +25,7 @@ internal class VirtualBoard2(
     private val kinds: List<PerceptKind> = emptyList(),
     private val damage: (ByteArray) -> ByteArray = { it },
 ) : EventBoard {
-    /** Requests and commands in the order in which they were handled, as `2:getPercepts`. */
+    /** The handled requests and commands, in their order, each behind its version: `2:getPercepts`. */
     val handled = mutableListOf<String>()
 
     /** All frames of version 2 that the board has received. */
@@ -37,11 +37,11 @@ internal class VirtualBoard2(
     /** Called with each frame that arrives; by default adds the frame to [received]. */
     var onReceived: (WireFrame) -> Unit = { received += it }
 
-    /** Changes the board's frames before they go on the line: may leave some out or double some. */
+    /** Changes each frame of the board before it goes on the line: can drop or double the frame. */
     var posting: (WireFrame) -> List<WireFrame> = { listOf(it) }
     var answer: (Int) -> String = { "$it;" }
 
-    /** The time in ms that the board takes for a message, and for a command that begins with `walk`. */
+    /** The time in ms that the board takes for a message. */
     var takes = 0.0
     var walkTakes = 0.0
     var silent = false

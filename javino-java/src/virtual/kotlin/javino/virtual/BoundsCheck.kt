@@ -3,7 +3,7 @@ package javino.virtual
 import kotlin.random.Random
 
 /**
- * Makes at least [exchanges] exchanges on random courses, which depend only on [seed]. Returns, for each bound, the measurement that came
+ * Makes at least [exchanges] exchanges in random cases, which depend only on [seed]. Returns, for each bound, the measurement that came
  * closest to it or exceeded it most.
  */
 internal fun checkBounds(exchanges: Int, seed: Long): Map<Bounded, Closest> {

@@ -13,7 +13,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** A measurement and its bound; times in ns. */
+/** A measured time and its bound, in ns. */
 internal class Closest(val measured: Long, val bound: Long, val course: BoundsCase) {
     val share: Double get() = measured.toDouble() / bound
 
@@ -34,16 +34,16 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
     private val link get() = line.link
     private val now get() = line.clock.nanos()
 
-    /** Requests that were answered and commands that were carried out. */
+    /** The number of requests that were answered and commands that were carried out. */
     var exchanges = 0
         private set
 
-    /** The measurement of each kind that came closest to its bound, or exceeded it most. */
+    /** For each bound, the measurement that came closest to it, or exceeded it most. */
     val closest = HashMap<Bounded, Closest>()
 
     init {
         repeat(3) { request() }
-        settle(link.send("stop", URGENT)) // also awaits the vocabulary, which the computer then asks for
+        settle(link.send("stop", URGENT)) // waits also for the vocabulary, for which the computer asks after the command
         if (course.hasRules) {
             link.onBoardEvents(Reports())
             settle(link.sendRule(RULE.setting(1), URGENT))
@@ -51,13 +51,13 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         rest()
     }
 
-    /** Counts the bytes in front of escaped ones: bounds leave these out. */
+    /** Counts the escape bytes, since the bounds leave these out. */
     private fun count(bytes: ByteArray): List<Piece> {
         escapes += bytes.count { it == ESCAPE }
         return FAULTLESS.pass(bytes)
     }
 
-    /** Makes exchanges of any kind. */
+    /** Makes one or more exchanges, of a random kind. */
     fun step() = if (course.hasRules) when (random.nextInt(4)) {
         0 -> answer()
         1 -> urgent()
@@ -78,7 +78,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         exchanges++
     }
 
-    /** Waits until the line is silent, also behind a second answer to a request. Afterwards the board may be anywhere in its loop. */
+    /** Waits until the line is silent, even if a request gets a second answer. Then waits on, until a random point of the board's loop. */
     private fun rest() {
         link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
         await(now + random.nextLong(2 * course.times.loop))
@@ -131,7 +131,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         others.forEach(::settle)
     }
 
-    /** Requests percepts at the interval until one is new, and acts on it. */
+    /** Requests percepts at the interval until a percept is new, then sends a command because of that percept. */
     private fun plan() {
         rest()
         escapes = 0
@@ -158,7 +158,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         await(nanos)
     }
 
-    /** Lets a rule be met while percepts are requested; the computer acts on the board's report. */
+    /** Lets a rule be met while percepts are requested. The computer sends a command because of the board's report. */
     private fun reflex() {
         rest()
         escapes = 0
@@ -188,7 +188,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
             bounds.planFromReport(NEAR.length + Bounds.AROUND_REPORT, text.length + Bounds.AROUND_COMMAND),
         )
         sketch.isNear = false
-        watchUntil(now + 2 * bounds.reflex()) // in this time the board sees the change
+        watchUntil(now + 2 * bounds.reflex()) // long enough for the board to see the change
     }
 
     private var reported: () -> Unit = {}
@@ -224,14 +224,14 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         var doneAt = 0L
             private set
 
-        /** Commands that were under way at [await], or were carried out between [await] and the awaited command. */
+        /** The number of commands that were under way at [await], or were carried out between [await] and the awaited command. */
         var before = 0
             private set
         private var awaited: String? = null
         private val ends = ArrayDeque<Long>() // the times at which the last commands ended
         private val others = List(course.percepts) { i -> "dist(${('a' + i % 26).toString().repeat(1 + i / 26)},%s);" }.joinToString("")
 
-        /** Notes from now on when the board carries out [command]. */
+        /** From now on, records when the board carries out [command]. */
         fun await(command: String): String {
             awaited = command
             before = ends.count { it > now }
@@ -263,7 +263,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         const val SLICE_MS = 10L
         const val REFLEX = "stop"
 
-        /** The most commands that are out. */
+        /** The most commands that are sent but not acknowledged. */
         const val MAX_OUT = 16
         const val NEAR = "near(1);"
         const val FAR = "near(0);"
@@ -271,7 +271,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         /** An allowance for the rounding of event times, in ns. */
         const val ROUNDING = 10_000L
 
-        /** The two digits by which percepts show [news]. */
+        /** The two digits with which percepts show the number [news]. */
         fun shown(news: Int) = 10 + news % 90
         val URGENT = SendOptions(true, 0)
         val RULE = BoardRule("near", listOf(BoardRule.Condition(1, BoardRule.Operator.EQUAL, "1")), REFLEX)

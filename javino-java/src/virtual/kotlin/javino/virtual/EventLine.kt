@@ -9,7 +9,7 @@ import javino.link.LinkSettings
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
-/** Bytes that arrive together, [lateNanos] later than the line's rate says. */
+/** Bytes that arrive together, [lateNanos] later than at the line's rate. */
 internal class Piece(val bytes: ByteArray, val lateNanos: Long = 0)
 
 /** Faults of one direction of a line, for the bytes of one write. */
@@ -22,22 +22,22 @@ internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
 
 /** The far end of a line. */
 internal fun interface LineEnd {
-    /** Does the work that is due [now], in ms since the link was opened. Called again and again. */
+    /** Does the work that is due at the time [now], in ms since the link was opened. Called again and again. */
     fun look(end: Transport, now: Double)
 }
 
 /** A board on an [EventLine]. */
 internal interface EventBoard : LineEnd {
-    /** The next time, in ms, at which the board looks even if nothing arrives; infinite: none. */
+    /** The next time, in ms, at which the board has work even if nothing arrives; infinite: there is none. */
     val dueMillis: Double
 }
 
 /**
- * A paced line, a link and a board on one thread. Their virtual time jumps from event to event, so a million exchanges take seconds.
- * Written bytes arrive in one piece, at the time of the last byte, unless faults divide them.
+ * A paced line, a link and a board on one thread. Virtual time jumps from event to event, so a million exchanges take seconds. Written
+ * bytes arrive in one piece, at the time of the last byte, unless faults divide them.
  *
  * @param open makes the link
- * @param goneAfter bytes in both directions after which the line is gone
+ * @param goneAfter number of bytes, in both directions together, after which the line is gone
  * @param startMillis time of the clock when the line is opened
  */
 internal class EventLine(
@@ -69,18 +69,18 @@ internal class EventLine(
 
     override fun close() = link.close()
 
-    /** Ends the waiting read, so its thread writes the queued commands; no other thread writes them. */
+    /** Ends the waiting read, so that its thread, the only one, writes the queued commands. */
     fun wake() {
         isWoken = true
     }
 
-    /** Lets time go on to the next event, at most by [nanos]. */
+    /** Moves the time on to the next event, at most by [nanos]. */
     fun pass(nanos: Long) = step(now + nanos)
 
-    /** Lets time go on to the next event, at most to [deadline]. */
+    /** Moves the time on to the next event, at most to [deadline]. */
     private fun step(deadline: Long) {
         val due = board.dueMillis.let { if (it.isInfinite()) Long.MAX_VALUE else (it * 1e6).toLong() + 1 }
-        val unread = back.nextAt <= now // bytes are there, and nobody reads at the moment
+        val unread = back.nextAt <= now // bytes have arrived, and nobody reads at the moment
         now = maxOf(now, minOf(deadline, there.nextAt, if (unread) deadline else back.nextAt, due))
         if (there.nextAt <= now || due <= now) board.look(boardEnd, millis)
     }

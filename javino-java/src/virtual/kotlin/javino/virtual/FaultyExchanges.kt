@@ -11,26 +11,26 @@ import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 
 /**
- * The outcome of [exchanges] exchanges with a board of version 2, on a faulty line of 115,200 baud. Half of them are commands, in rows of
- * four; half are requests for nine percepts, with 500 ms for the answer.
+ * The outcome of [exchanges] exchanges with a board of version 2, on a faulty line of 115,200 baud. Four commands and four requests
+ * alternate. A request asks for nine percepts, and waits 500 ms for the answer.
  */
 internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
     private val carriedOut = ByteArray(exchanges / 2 + 1)
     private val confirmed = BooleanArray(exchanges / 2 + 1)
     private var last = 0
 
-    /** Requests that were answered. */
+    /** The number of requests that were answered. */
     var answered = 0
         private set
 
-    /** Frames that the computer dropped because of their checksum. */
+    /** The number of frames that the computer dropped because of a wrong checksum. */
     var corruptFrames = 0L
         private set
 
-    /** Violations, in words: commands that were carried out wrongly or out of order, or were confirmed but not carried out. */
+    /** The violations, in words: commands that were carried out wrongly or out of order, or confirmed but not carried out. */
     val wrong = mutableListOf<String>()
 
-    /** Answers that the computer believed although the board did not send them. */
+    /** The answers that the computer accepted although the board did not send them. */
     val corruptBelieved = mutableListOf<String>()
 
     val confirmations: Int get() = confirmed.count { it }
@@ -80,7 +80,7 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
         }
     }
 
-    /** Waits until the outcomes are known; nobody else works on the line. */
+    /** Works on the line until the outcomes are known, since no other thread does. */
     private fun Link.settle(row: List<CompletableFuture<Void>>) {
         while (row.any { !it.isDone }) watch(10)
     }
@@ -89,7 +89,7 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
         /** A line of 115,200 baud, and a board that has started. */
         val FAST: LinkSettings = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
 
-        /** The number of commands before the next request, and of requests before the next commands. */
+        /** The number of commands, and then of requests, in a row. */
         private const val ROW = 4
         private const val LIMIT_MS = 500
         private val COMMAND = Regex("2:speed\\((\\d+)\\)")

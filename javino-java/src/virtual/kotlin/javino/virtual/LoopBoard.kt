@@ -12,11 +12,11 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop time of a round of the sketch's `loop()`, without the other times
+ * @property loop time of a round of the sketch's `loop()`, without the times below
  * @property action time of an action
- * @property sensors time to read the sensors for an answer and to code it
- * @property ruleSensors time to read the sensors of the rules and to compare
- * @property isSteady true: each time is the longest; false: each is drawn, up to the longest
+ * @property sensors time to read the sensors for an answer and to code the answer
+ * @property ruleSensors time to read the sensors of the rules and to compare their percepts with the rules
+ * @property isSteady true: each time is the longest; false: each time is drawn, up to the longest
  */
 internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Long, val ruleSensors: Long, val isSteady: Boolean)
 
@@ -31,7 +31,7 @@ internal interface TimedSketch {
 
 /**
  * A board of version 2 whose sketch calls the library once in each round of its `loop()`, like the Arduino library. A call handles up to
- * eight messages. It reads the sensors of rules every 5 ms at most. Parts of an answer go out when the line is free. A write waits for room
+ * eight messages. It reads the sensors of rules at most every 5 ms. Parts of an answer go out when the line is free. A write waits for room
  * in the port's buffer.
  */
 internal class LoopBoard(
@@ -44,7 +44,7 @@ internal class LoopBoard(
     private val parts = ArrayDeque<ByteArray>()
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
-    private var now = 0L // the program's time; while the program works, it is ahead of the line's time
+    private var now = 0L // the program's time, ahead of the line's time while the program works
     private var spent = 0L // time that the program has spent since the time `now`
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
@@ -61,7 +61,7 @@ internal class LoopBoard(
         val time = Math.round(now * NANOS_PER_MS)
         val wasRunning = isRunning
         decoder.accept(buffer, 0, end.read(buffer, 0, buffer.size, 0), time)
-        if (!wasRunning) while (this.now < time) this.now += round() // idle rounds
+        if (!wasRunning) while (this.now < time) this.now += round() // rounds without work
         while (isRunning && this.now <= time) step()
         while (outgoing.isNotEmpty() && outgoing.first().first <= time) {
             val frame = outgoing.removeFirst().second
@@ -71,10 +71,10 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Draws a time, often the longest, since the longest decides about bounds. */
+    /** Draws a time; often returns the longest, since the longest times test the bounds. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
-    /** Reads the sensors of the rules, handles a message, or ends the call if there is none. */
+    /** Does one thing: reads the sensors of the rules, handles a message, or ends the call if there is no message. */
     private fun step() {
         spent = 0
         if (session.hasRules() && now - lookedAt >= LOOK_NANOS) {
@@ -83,7 +83,7 @@ internal class LoopBoard(
             spent += draw(times.ruleSensors)
             session.look(percepts)
             isCalled = true
-            now += spent // then the program takes bytes that have arrived meanwhile
+            now += spent // after this the program takes bytes that have arrived meanwhile
             return
         }
         if (parts.isNotEmpty() && lineFreeAt <= now + spent) post(parts.removeFirst())
@@ -133,10 +133,10 @@ internal class LoopBoard(
     }
 
     companion object {
-        /** Bytes of frames that the computer may have out. */
+        /** The most bytes of frames that the computer may have sent without an acknowledgement. */
         const val CREDIT = 60
 
-        /** Bytes that the port takes before a write waits. */
+        /** The number of bytes that the port takes before a write waits. */
         const val BUFFER = 64
 
         /** The least time between two readings of the sensors of rules. */

@@ -7,10 +7,10 @@ import kotlin.math.pow
 /**
  * Random faults of a line, byte by byte.
  *
- * @param bitErrors the probability that a bit is turned over
+ * @param bitErrors probability that a bit is inverted
  * @param lost probability that a byte does not arrive
  * @param doubled probability that a byte arrives twice
- * @param late probability that a byte, with all that follows it, arrives up to [latestNanos] later
+ * @param late probability that a byte arrives up to [latestNanos] later, as do all bytes behind it
  */
 internal class RandomFaults(
     private val bitErrors: Double = 0.0,
@@ -58,14 +58,14 @@ internal class RandomFaults(
         else -> byteArrayOf(byte, byte)
     }
 
-    /** Draws the bits of a byte that are turned over: at least one. */
+    /** Draws which bits of a byte are inverted: at least one. */
     private fun wrongBits(): Int {
         val first = (ln(1 - random.nextDouble() * wrongByte) / ln(1 - bitErrors)).toInt().coerceIn(0, 7)
         return (first + 1..7).fold(1 shl first) { bits, bit -> if (random.nextDouble() < bitErrors) bits or (1 shl bit) else bits }
     }
 }
 
-/** Applies [fault] to write number [turn], counted from 1, and to no other. */
+/** Applies [fault] only to write number [turn], counted from 1. */
 internal class OneFault(private val turn: Int, private val fault: (ByteArray) -> List<Piece>) : LineFaults {
     private var writes = 0
 
