@@ -188,20 +188,22 @@ class LeasesSpec : FunSpec({
         LateAgent.hold()
         OneComputer("m agentClass argo.fleet.LateAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
             val isGranting = AtomicBoolean(true)
-            val granted = AtomicLong() // the term of the last claim that was granted
+            val (claimed, granted) = AtomicLong() to AtomicLong() // the terms of the last claim, and of the last that was granted
             base.cluster.answer = { one ->
                 one.end.complete(null)
-                val claim = one.message as? Claim
-                if (claim != null && isGranting.get()) {
-                    base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
-                    granted.set(claim.term)
+                (one.message as? Claim)?.let { claim ->
+                    claimed.set(claim.term)
+                    if (isGranting.get()) {
+                        base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
+                        granted.set(claim.term)
+                    }
                 }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
             eventually(20.seconds) { LateAgent.isHeld() shouldBe true }
             isGranting.set(false)
-            base.shouldLog("m stops here")
             val before = granted.get()
+            eventually(20.seconds) { claimed.get() shouldBeGreaterThan before } // it has given the first one up
             isGranting.set(true)
             eventually(20.seconds) { granted.get() shouldBeGreaterThan before }
             LateAgent.release()

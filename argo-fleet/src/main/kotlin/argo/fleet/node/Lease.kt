@@ -25,6 +25,7 @@ internal class Lease(
 ) {
     private class Moment(val ns: Long, val wallMs: Long)
 
+    private var lastTerm = 0L // the term of this computer's last claims
     private var promisedTo: String? = null
     private var promisedUntil = startNs + DURATION_NS
     private val asked = HashMap<Long, Moment>() // the time of each claim, by the claim's number
@@ -59,9 +60,13 @@ internal class Lease(
         return Claim(agent, claims, ownTerm)
     }
 
-    /** Begins a new term. Earlier grants do not count in it, since another computer may begin the same term meanwhile. */
+    /**
+     * Begins a new term, even if this computer has not granted its last claims itself, as in the first time of its program. Grants of an
+     * earlier term do not count, since another computer may begin the same term meanwhile.
+     */
     private fun beginTerm() {
-        ownTerm = term + 1
+        lastTerm = maxOf(term, lastTerm) + 1
+        ownTerm = lastTerm
         granted.clear()
         right = null
     }

@@ -66,6 +66,13 @@ class LeaseSpec : FunSpec({
         world.running() shouldBe listOf(0)
     }
 
+    test("a computer that gives up a term that it has not granted itself begins a later one") {
+        val lease = Lease(3, 0, 0, nanos = { 0 }, wallMs = { 0 })
+        val first = lease.claim("m").term
+        lease.giveUp()
+        lease.claim("m").term shouldBeGreaterThan first
+    }
+
     test("a computer that has just begun grants nothing, since it may have promised it before") {
         val world = World(3, Random(1))
         world.claim(0)
