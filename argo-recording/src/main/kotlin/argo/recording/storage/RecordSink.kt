@@ -4,8 +4,8 @@ import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Takes the records of a recording. Only [flush] and [close] wait for a disk, since reasoning and sensing threads call the other functions.
- * [offer] waits up to 100 ms if the threads that offer records leave the writing thread too little processor time. Any thread may call.
- * Records offered by one thread are stored in their order. Records wait in memory for the recording's own writing thread.
+ * Any thread may call. Records offered by one thread are stored in their order. Records wait in memory for the recording's own writing
+ * thread.
  */
 abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoCloseable {
     private val channels = ConcurrentHashMap<String, RecordChannel>()

@@ -2,10 +2,8 @@ package argo.recording.storage
 
 import argo.mcap.McapWriter
 import java.io.IOException
-import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
 import java.nio.channels.SeekableByteChannel
-import java.nio.channels.WritableByteChannel
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -39,7 +37,7 @@ class RecordingFile internal constructor(
     private fun write() {
         var writer: McapWriter? = null
         try {
-            writer = McapWriter(Disk())
+            writer = McapWriter(channel)
             writeAll(writer)
             writer.close()
         } catch (failure: Throwable) { // report every failure
@@ -69,11 +67,7 @@ class RecordingFile internal constructor(
     private fun store(writer: McapWriter) {
         if (writer.pendingBytes == 0) return
         writer.flush()
-        (channel as? FileChannel)?.let { waiting.atDisk { it.force(false) } }
-    }
-
-    private inner class Disk : WritableByteChannel by channel {
-        override fun write(source: ByteBuffer): Int = waiting.atDisk { channel.write(source) }
+        (channel as? FileChannel)?.force(false)
     }
 
     private fun endWith(failure: Throwable, wholeBytes: Long) {

@@ -1,7 +1,6 @@
 package argo.recording.storage
 
 import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -33,36 +32,21 @@ internal sealed interface Waiting {
 }
 
 /**
- * The queue of records for the writing thread, with at most [maxBytes] bytes of messages that wait or are being handled. Messages for which
- * there is no room are left out. A [Gap] takes their place in the order of the records. Any thread may call. No thread holds the lock while
- * a record is written.
- *
- * A hundred threads that compute without pause leave the writing thread hardly any processor time. So the threads that offer messages then
- * rest, each [restNs] at most, until the writing thread has handled the records that it has taken.
- *
- * @param nanos returns the time in ns
+ * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. Messages for which there is no room are left out.
+ * A [Gap] takes their place in the order of the records. Any thread may call. No thread holds the lock while a record is
+ * written.
  */
-internal class WaitingRecords(
-    private val maxBytes: Long,
-    private val restNs: Long = REST_NS,
-    private val nanos: () -> Long = System::nanoTime,
-) {
+internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
-    private val handled = lock.newCondition()
     private var waiting = ArrayList<Waiting>()
     private var bytes = 0L
-    private var takenNs: Long? = null // the time of the records that are being handled; null: there are none
     private var gap: Gap? = null
     private var isUrgent = false
     private var isClosed = false
 
-    @Volatile
-    private var isAtDisk = false
-
-    /** Adds [message]; returns false if there is no room, or this queue is closed. The thread may [rest] first. */
+    /** Adds [message]; returns false if there is no room, or this queue is closed. */
     fun offer(message: Waiting.Message): Boolean = lock.withLock {
-        if (isLate()) rest()
         if (isClosed) return false
         if (bytes + message.bytes > maxBytes) {
             gap = gap?.and(message.timeNs) ?: Gap.of(message.timeNs)
@@ -71,31 +55,8 @@ internal class WaitingRecords(
         endGap()
         bytes += message.bytes
         waiting += message
-        if (isMuch()) hurry()
+        if (bytes > maxBytes / 2) hurry()
         return true
-    }
-
-    private fun isMuch() = bytes > maxBytes / MUCH_PART
-
-    private fun isLate() = isMuch() && !isAtDisk && takenNs?.let { nanos() - it > LATE_NS } == true
-
-    /** Waits at most [restNs] until the taken records have been handled. An interrupted thread does not wait. */
-    private fun rest() {
-        try {
-            handled.awaitNanos(restNs)
-        } catch (_: InterruptedException) {
-            Thread.currentThread().interrupt()
-        }
-    }
-
-    /** Does [work] of the writing thread, which waits for a disk. Meanwhile no thread rests. */
-    fun <T> atDisk(work: () -> T): T {
-        isAtDisk = true
-        try {
-            return work()
-        } finally {
-            isAtDisk = false
-        }
     }
 
     /** Adds [other], however full the queue is; returns false if this queue is closed. */
@@ -114,24 +75,18 @@ internal class WaitingRecords(
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if many records wait, if a caller waits in [flush],
-     * or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and empty.
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, if a caller waits in
+     * [flush], or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
+     * empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
         try {
             work(batch)
         } finally {
-            release(batch)
+            batch.forEach { if (it is Waiting.Flush) it.done.countDown() }
         }
         return true
-    }
-
-    private fun release(batch: List<Waiting>) = lock.withLock {
-        bytes -= batch.sumOf { (it as? Waiting.Message)?.bytes ?: 0 }
-        takenNs = null
-        handled.signalAll()
-        batch.forEach { if (it is Waiting.Flush) it.done.countDown() }
     }
 
     private fun next(patienceNs: Long): List<Waiting>? = lock.withLock {
@@ -140,7 +95,7 @@ internal class WaitingRecords(
         isUrgent = false
         endGap()
         if (waiting.isEmpty()) return if (isClosed) null else emptyList()
-        takenNs = nanos()
+        bytes = 0
         return waiting.also { waiting = ArrayList() }
     }
 
@@ -164,15 +119,5 @@ internal class WaitingRecords(
     private fun hurry() {
         isUrgent = true
         changed.signalAll()
-    }
-
-    private companion object {
-        /** The room is divided by this number. If more than the result is taken, the writing thread begins early, and threads may rest. */
-        const val MUCH_PART = 64
-
-        /** Records that the writing thread has had for this long are late. */
-        val LATE_NS = TimeUnit.MILLISECONDS.toNanos(50)
-
-        val REST_NS = TimeUnit.MILLISECONDS.toNanos(100)
     }
 }
