@@ -27,7 +27,7 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->named.arguments = arguments;
   action->function = function;
   action->caller = caller;
-  /* The newest action comes first, so it replaces an older action of the same name. */
+  /* The newest action comes first, so it is found before an older one of the same name and kind. */
   board_->link.actions = action;
   count_ = ++count;
 #ifndef JAVINO_VERSION_1_ONLY

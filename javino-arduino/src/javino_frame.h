@@ -81,7 +81,7 @@ extern const char javino_preamble[4];
 /** The CRC before the first byte of a frame of the session with this nonce; the nonce is 0 for HELLO and WELCOME. */
 #define JAVINO_CRC_START(nonce) ((uint16_t)((uint8_t)~(nonce) << 8 | 0xFF))
 
-/** @return the CRC-16/CCITT-FALSE of the bytes so far, of which the CRC is crc, and one more byte */
+/** Adds a byte to a CRC-16/CCITT-FALSE. @param crc that of the bytes so far @return that of these bytes and byte */
 uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 
 /* ---- Encoder ---- */

@@ -34,7 +34,7 @@ uint8_t javino_word(const char *text, uint8_t length);
 uint8_t javino_functor(const char *text, uint8_t length);
 
 /**
- * Finds the argument of a literal with this index, from 0. Sets `argument` to its first byte, behind spaces. @return its length; 0: none
+ * Finds the argument of a literal with this index, from 0. Sets `argument` to its first byte after spaces. @return its length; 0: none
  */
 uint8_t javino_argument(const char *text, uint8_t length, uint8_t index, const char **argument);
 

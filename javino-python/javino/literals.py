@@ -144,7 +144,7 @@ def _unquoted(text):
 
 
 def term(value):
-    """Returns the text of a Python value in a percept: a number, True or False, an atom, a string for any other text, or a list. Raises
+    """Returns how a percept shows a Python value: number, True, False or list; text as an atom if it can be one, else as a string. Raises
     ValueError for a float that is infinite or no number, TypeError for other values."""
     if value is True or value is False:
         return "true" if value else "false"

@@ -14,7 +14,7 @@ def length(data):
     return 6 + size
 
 
-# Returns the data from a frame on, the frame's length or 0, and whether another frame or silence follows.
+# Returns three values: the data from the first frame on; its length, 0 if none is whole; whether a frame or silence follows it.
 def find(data, silence):
     while data:
         size = length(data)

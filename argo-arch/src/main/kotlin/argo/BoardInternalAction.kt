@@ -71,7 +71,8 @@ abstract class BoardInternalAction internal constructor(
 
         /**
          * Suspends the intention. Call the returned function once, on any thread: with the failure of the plan, or null, and with the text
-         * of the answer, or null. If the agent drops the intention before that, its thread calls [giveUp], perhaps late.
+         * of the answer, or null. If the agent drops the intention before this call, the agent's thread
+         * calls [giveUp] some time later.
          */
         fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)

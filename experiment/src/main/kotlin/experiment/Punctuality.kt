@@ -25,7 +25,7 @@ internal class Punctuality : AutoCloseable {
         }
     }
 
-    /** Returns the longest delay of this machine since [start], a [System.nanoTime], in ms; 0 if no delay was 1 ms. */
+    /** Returns the longest delay of this machine since [start], a [System.nanoTime], in ms; 0 if no delay was as long as 1 ms. */
     fun worstSinceMs(start: Long): Double = delays.filter { it.at + it.nanos - start >= 0 }.maxOfOrNull { it.nanos / 1e6 } ?: 0.0
 
     override fun close() {

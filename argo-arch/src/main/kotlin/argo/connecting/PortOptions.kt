@@ -51,7 +51,7 @@ internal data class PortOptions(
     /** Returns true if [other] opens a port in the same way. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
-    /** The list from which [of] reads these options. Contains only options that differ from the default. */
+    /** The list from which [of] reads these options. Apart from the baud rate, it contains only options that differ from the default. */
     val text: String
         get() = LinkSettings.defaults().let { usual ->
             listOfNotNull(

@@ -55,7 +55,7 @@ object Insides {
     /** The number of cycles since the agent last perceived (`nrcbp`); Jason does not publish it. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** `insertAgArch` sets these two fields, but also changes the agent. An architecture in a serialized copy must not change the agent. */
+    /** `insertAgArch` sets these two fields, but also changes the agent, which must stay as it is when it is serialized. */
     val nextArch: Inside<AgArch?> = of(AgArch::class.java, "successor")
     val firstArch: Inside<AgArch> = of(AgArch::class.java, "firstArch")
 

@@ -84,8 +84,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and passes on the snapshot of [message], whose last byte arrived from [port] at [receivedNanos], by the platform's clock. The
-     * snapshot also contains percepts that the board has [reported] since [askedNanos], when the message was requested.
+     * Makes a snapshot of [message] and passes it on. The last byte of the message arrived from [port] at [receivedNanos], by the
+     * platform's clock. The snapshot also contains percepts that the board has [reported] since [askedNanos], the time of the request.
      * @param seenNanos the percepts older than the message, each with the time at which it was true
      * @param event see [argo.links.BoardMessage.event]
      * @return true if the agent perceives the board on [port]; else the message is dropped

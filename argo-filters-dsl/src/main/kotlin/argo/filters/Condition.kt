@@ -17,7 +17,7 @@ sealed interface Condition {
             until?.let { requireBeyond(test, it) }
         }
 
-        /** The comparison with the second limit, by which a condition that holds continues to hold; null: there is no second limit. */
+        /** The comparison with the second limit: a condition that holds then holds until this fails; null: there is none. */
         internal fun untilTest(): TermTest.Compare? =
             until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
 

@@ -19,7 +19,7 @@ import javino.wire.CommandItem;
 /**
  * Sends the queued commands of a line, on the threads that call {@link #run} and {@link #sendAndAwait}. Each free thread takes the next
  * command, even one of another thread. If the line is free, the submitting thread writes its command at once. The thread that learns an
- * outcome reports it, outside of any lock. If code that depends on an outcome throws, no thread ends.
+ * outcome reports it, outside of any lock. If a listener of an outcome throws, no thread ends.
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());

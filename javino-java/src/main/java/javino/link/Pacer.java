@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit;
  * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
  * it sends an answer. So
  * <ul>
- *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is at least that of the settings,
- *       and at least the {@link GapEstimate} for the board's loop. Exception: the answer to the only open request, behind which no action
- *       was written, shows that the board has handled all messages. So the first action after this answer starts at once;
+ *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is at least that of the settings
+ *       and, unless that is 0, the {@link GapEstimate} for the board's loop. Exception: the answer to the only open request, behind which
+ *       no action was written, shows that the board has handled all messages. So the first action after this answer starts at once;
  *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as an AVR's
  *       receive buffer holds. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of silence within the answer, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;

@@ -12,8 +12,8 @@ final class MessageParts {
     private MessageParts() {}
 
     /**
-     * Cuts a message into parts that fit into frames of version 1, at least one. It cuts behind percepts, like boards, and leaves out a
-     * percept that is too long for a frame.
+     * Cuts a message into parts that fit into frames of version 1, at least one. It cuts after a semicolon only, even within a
+     * string, and leaves out a percept that is too long for a frame.
      */
     static List<String> of(String message) {
         List<String> parts = PART.matcher(message)

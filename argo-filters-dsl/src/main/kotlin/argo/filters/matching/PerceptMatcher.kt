@@ -51,7 +51,7 @@ class PerceptMatcher internal constructor(
                 firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, null) { true } == null)
         }
 
-    /** Returns true if the filter drops [percept]. The caller makes sure that [percept] meets no critical rule. */
+    /** Returns true if the ordinary rules drop [percept]. The caller decides whether a critical rule keeps it. */
     internal fun drops(percept: String, latches: Latches?): Boolean =
         scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
             isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)

@@ -60,7 +60,7 @@ internal object Deliveries {
  * @param questions the agent's questions to other computers, including those of the action
  */
 internal class DeliveryWait(private val questions: Questions) {
-    /** Whether the last call of [carryOut] has suspended its intention, other than for a question. */
+    /** Whether the last call of [carryOut] has suspended its intention, until messages arrive, not until a question is answered. */
     var isWaiting = false
         private set
 

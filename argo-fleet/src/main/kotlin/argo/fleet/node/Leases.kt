@@ -81,7 +81,7 @@ internal class Leases(
         hasMajority = view.hasMajority
     }
 
-    /** Returns true if this computer knows a later reign over the agent that sent [message]. That agent runs on another computer now. */
+    /** Returns true if this computer knows that another computer has since taken over the agent that sent [message]. */
     fun isOutdated(message: Say): Boolean =
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 

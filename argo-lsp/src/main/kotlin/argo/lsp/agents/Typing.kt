@@ -32,7 +32,7 @@ internal class Typing(private val program: Program, private val offset: Int) {
 
     val text: String get() = program.text.substring(word.start, word.end)
 
-    /** The tokens before [word] in the same component. */
+    /** The tokens before [word] in the same belief, rule, goal or plan. */
     private val before: List<Token> = program.tokens.filter { it.span.end <= word.start && it.kind != TokenKind.COMMENT }
         .let { tokens -> tokens.subList(tokens.indexOfLast { it.isSymbol(".") } + 1, tokens.size) }
 

@@ -202,7 +202,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
         /**
-         * Returns [action], whose name in the program is [name]. If the action must be watched, the result is a wrapper that asks [watch]
+         * Returns [action], which the program calls [name]. If the action must be watched, the result is a wrapper that asks [watch]
          * about each call.
          */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {

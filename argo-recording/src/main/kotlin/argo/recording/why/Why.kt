@@ -28,7 +28,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     /**
      * Explains why [command] was issued. If the command is a reflex, does not search for other values of percepts.
      *
-     * @param isTrying whether to search for another value of a percept with which the agent would not have issued the command
+     * @param isTrying whether to search for a percept that, with another value, would have kept the agent from the command
      * @throws RecordingException if the agent cannot be replayed up to the command, or its course differs from the recorded one
      */
     fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {

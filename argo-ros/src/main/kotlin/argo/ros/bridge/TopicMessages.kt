@@ -32,7 +32,7 @@ internal class TopicMessages(
     private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
     private val unthrottled = eachRules.keys + rules.filter { it.frames != null }.map { it.topic }
     private val changing = rules.filter { !it.needsEach }.map { it.topic }.toSet()
-    private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with a time and a condition
+    private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with `if … for`
     private val events = PerceptEvents(warn)
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes

@@ -30,7 +30,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
         return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "$module.MainKt") + words + arguments)
     }
 
-    /** Prints this command's own help, since the samples, which would list their options, are [missing]. */
+    /** Prints only this command's own help: the samples, which have options of their own, are [missing]. */
     private fun help(missing: ToolException): Int {
         spec.commandLine().usage(spec.commandLine().out)
         spec.commandLine().out.println("\nIts options cannot be listed: ${missing.message}")
