@@ -7,7 +7,6 @@ import javino.CommandReplacedException
 import javino.CommandWithdrawnException
 import javino.NoSuchPortException
 import javino.PortBusyException
-import javino.PortException
 import javino.PortGoneException
 import javino.PortPermissionException
 import javino.PortTimeoutException

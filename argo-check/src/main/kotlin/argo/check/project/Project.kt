@@ -1,6 +1,5 @@
 package argo.check.project
 
-import javino.PerceptKind
 import java.nio.file.Path
 
 /**

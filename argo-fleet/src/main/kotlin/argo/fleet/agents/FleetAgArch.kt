@@ -15,7 +15,6 @@ import argo.mind.Mind
 import argo.observing.AgentThere
 import argo.observing.ObservedComputer
 import argo.observing.SeveralComputers
-import argo.recording.agent.AwaitedOutside
 import argo.recording.agent.MessageContent
 import jason.JasonException
 import jason.architecture.AgArch

@@ -14,7 +14,6 @@ import org.jgroups.protocols.pbcast.STABLE
 import org.jgroups.stack.DiagnosticsHandler
 import org.jgroups.stack.Protocol
 import org.jgroups.util.LazyThreadFactory
-import java.net.InetAddress
 import java.net.InetSocketAddress
 
 /** Returns JGroups' protocols, from the network upwards. Times are in milliseconds, sizes in bytes. */
