@@ -247,7 +247,7 @@ internal class FleetAgArch(
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
         const val SHORT_SLEEP_MS = 1000L
-        const val LONG_SLEEP_MS = 10_000L
+        const val LONG_SLEEP_MS = 30_000L
 
         /** The most characters that tell an asker why its question gets no answer; a reason may contain the answer. */
         const val MAX_REASON = 500
