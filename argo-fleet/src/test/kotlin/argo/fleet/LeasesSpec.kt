@@ -215,7 +215,7 @@ class LeasesSpec : FunSpec({
 })
 
 /** A computer without agents of its own. */
-private object Nobody : LocalAgents {
+internal object Nobody : LocalAgents {
     override fun take(message: Say) = Unit
     override fun take(message: Unanswered) = Unit
     override fun kill(wanted: Kill) = Unit
