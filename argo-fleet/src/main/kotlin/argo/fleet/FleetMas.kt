@@ -141,11 +141,16 @@ internal class FleetMas :
 
     override fun start(agent: String, reign: Reign, mind: MindNews?) = starter.execute {
         try {
-            begin(create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }, reign, mind)
+            val program = placed.first { it.name == agent }
+            begin(create(program) { FleetAgArch(fleet, reign, mind, leases::keep) { endReign(agent, reign, it) } }, reign, mind)
         } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // the machine may have no thread left
-            leases.cannotStart(agent, reign, failed)
-            getAg(agent)?.let(::stop)
+            endReign(agent, reign, failed)
         }
+    }
+
+    private fun endReign(agent: String, reign: Reign, failure: Throwable) {
+        leases.cannotRun(agent, reign, failure)
+        stop(agent)
     }
 
     private fun begin(created: FleetAgArch, reign: Reign, mind: MindNews?) {

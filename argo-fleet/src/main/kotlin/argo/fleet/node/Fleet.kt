@@ -96,11 +96,11 @@ internal class Fleet(
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
 
-    /** Tells the fleet that this computer cannot start [agent], which outlives its computer, so that another computer starts it. */
-    fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
+    /** Tells the fleet that this computer cannot run [agent], which outlives its computer, so that another computer starts it. */
+    fun cannotRun(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
     /** Tells the fleet that this computer will try again to start [agent] if the agent is missing. */
-    fun canStart(agent: String) = tell(RosterNews(able = setOf(agent)))
+    fun canRun(agent: String) = tell(RosterNews(able = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
 
