@@ -90,7 +90,7 @@ private class Computers(private val names: List<String>, private val random: Ran
 }
 
 /** What a computer of a fleet knows of the others. */
-class FleetSpec : FunSpec({
+class MissedNewsSpec : FunSpec({
     test("whatever news are missed while computers part, end and begin anew, in the end all know all agents of all") {
         checkAll(60, Arb.int()) { seed ->
             Computers(listOf("a", "b", "c", "d"), Random(seed)).use { computers ->
