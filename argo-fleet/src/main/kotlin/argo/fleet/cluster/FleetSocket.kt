@@ -48,7 +48,7 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
     private var other: String? = null // the computer at the other end, once it has proved its name
 
     override fun getInputStream(): InputStream =
-        (secured?.inputStream ?: super.getInputStream()).let { stream -> other?.let { Origin.stream(it, stream) } ?: stream }
+        (secured?.inputStream ?: super.getInputStream()).let { stream -> other?.let { Origin.stream(it, stream.buffered(BUFFER)) } ?: stream }
 
     override fun getOutputStream(): OutputStream = secured?.outputStream ?: super.getOutputStream()
 
@@ -120,5 +120,8 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         /** TLS's word for a certificate that the other end does not accept. */
         const val REFUSED_THERE = "certificate_unknown"
         const val PATIENCE_MILLIS = 1500
+
+        /** Each connection has such a buffer, which is small, as messages are. */
+        const val BUFFER = 32 shl 10
     }
 }

@@ -54,8 +54,9 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
     // a process that ends closes its connections, and is suspected because of that at once
     enableSuspectEvents(true)
     setMaxLength(MAX_BYTES)
-    // each connection has two of these buffers, which are small, as messages are
-    setBufferedInputStreamSize(BUFFER)
+    // FleetSocket buffers what it reads: a buffer above it would hide from Origin that another thread than the first one reads on
+    setBufferedInputStreamSize(0)
+    // each connection has such a buffer, which is small, as messages are
     setBufferedOutputStreamSize(BUFFER)
     // at least twice the bytes that may be under way to a computer (see Outgoing), so that no write waits for a computer that does not read
     setSendBufSize(SEND_BUFFER)
