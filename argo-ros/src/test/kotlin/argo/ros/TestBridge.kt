@@ -93,7 +93,7 @@ internal class TestBridge(number: Int = 0, token: String? = null) : AutoCloseabl
     }
 
     init {
-        check(started.await(20, TimeUnit.SECONDS)) { "the bridge does not start" }
+        check(started.await(60, TimeUnit.SECONDS)) { "the bridge does not start" }
     }
 
     val number: Int get() = server.port
