@@ -6,7 +6,8 @@ Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range, with the time) and
 range) at HZ, 20 unless given, and each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger), /lamp (std_srvs/SetBool, no
 success when it is switched off), /rest (std_srvs/Empty) and /camera (sensor_msgs/SetCameraInfo, which says the distortion model again), and
 the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second, with half of it as feedback before, one
-below is aborted, and 0 is rejected. Goals that were cancelled are on /cancelled (std_msgs/Int32).
+below is aborted, and 0 is rejected. Goals that were cancelled are on /cancelled (std_msgs/Int32). /clients (std_msgs/Int32) has the number of
+clients of which the robot hears /cmd_vel, goals and cancellations, and that hear /driven, results and feedback: an earlier message is lost.
 """
 
 import sys
@@ -55,12 +56,15 @@ def main(hz):
     rospy.init_node("robot")
     cancellations = rospy.Publisher("/cancelled", Int32, queue_size=10, latch=True)
     driven = rospy.Publisher("/driven", Twist, queue_size=10)
-    rospy.Subscriber("/cmd_vel", Twist, driven.publish)
+    velocities = rospy.Subscriber("/cmd_vel", Twist, driven.publish)
     rospy.Service("/horn", Trigger, lambda request: TriggerResponse(True, "it sounds"))
     rospy.Service("/lamp", SetBool, lambda request: SetBoolResponse(request.data, "" if request.data else "it has no switch"))
     rospy.Service("/rest", Empty, lambda request: EmptyResponse())
     rospy.Service("/camera", SetCameraInfo, lambda request: SetCameraInfoResponse(True, request.camera_info.distortion_model))
-    ActionServer("/drive", TestAction, drive, cancel, auto_start=False).start()
+    server = ActionServer("/drive", TestAction, drive, cancel, auto_start=False)
+    server.start()
+    needed = velocities, server.goal_sub, server.cancel_sub, driven, server.result_pub, server.feedback_pub
+    clients = rospy.Publisher("/clients", Int32, queue_size=1)
     counts = rospy.Publisher("/count", Int32, queue_size=1)
     sonar = rospy.Publisher("/sonar", Range, queue_size=1)
     scans = rospy.Publisher("/scan", LaserScan, queue_size=1)
@@ -68,6 +72,7 @@ def main(hz):
     while not rospy.is_shutdown():
         count += 1
         counts.publish(count)
+        clients.publish(min(end.get_num_connections() for end in needed))
         distance = Range(radiation_type=Range.ULTRASOUND, min_range=0.02, max_range=4.0, range=0.5 + count % 100 / 100)
         distance.header.stamp = rospy.Time.now()
         sonar.publish(distance)

@@ -27,10 +27,13 @@ import jason.runtime.RuntimeServicesFactory
 import java.io.File
 import java.io.InputStream
 import java.util.concurrent.Executors
+import java.util.concurrent.Future
+import java.util.concurrent.TimeUnit
 import java.util.logging.ConsoleHandler
 import java.util.logging.Level
 import java.util.logging.LogManager
 import java.util.logging.Logger
+import kotlin.random.Random
 
 /** Runs the agents of one computer of a fleet by Jason's infrastructure for a single computer. */
 internal class FleetMas :
@@ -42,13 +45,14 @@ internal class FleetMas :
     private lateinit var fleet: Fleet
     private lateinit var services: FleetServices
     private lateinit var facilitator: DirectoryFacilitator
+    private var comparing: Future<*>? = null
     private val log = Logger.getLogger(LOG)
 
     /**
      * This thread starts and stops agents that outlive their computers: the leases must not wait while an agent's program is read. It does
-     * one start or stop at a time, so that no agent is created twice.
+     * one start or stop at a time, so that no agent is created twice. Now and then it also compares rosters.
      */
-    private val starter = Executors.newSingleThreadExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
+    private val starter = Executors.newSingleThreadScheduledExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
 
     init {
         starter.execute {} // creates the thread now, since the machine may have none left later
@@ -101,6 +105,13 @@ internal class FleetMas :
         fleet.awaitOthers(MEETING_MS) // so that no first message finds its receiver's computer unknown
         start()
         leases.begin()
+        comparing = starter.scheduleWithFixedDelay(::compare, COMPARING_S, COMPARING_S, TimeUnit.SECONDS)
+    }
+
+    private fun compare() = try {
+        fleet.compare(Random)
+    } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // it would end the comparisons
+        log.log(Level.SEVERE, "what other computers know was not compared: ${failed.message}", failed)
     }
 
     override fun createAgs() = placed.filter { it.computers == listOf(fleet.here) }.forEach { agent ->
@@ -130,11 +141,16 @@ internal class FleetMas :
 
     override fun start(agent: String, reign: Reign, mind: MindNews?) = starter.execute {
         try {
-            begin(create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }, reign, mind)
+            val program = placed.first { it.name == agent }
+            begin(create(program) { FleetAgArch(fleet, reign, mind, leases::keep) { endReign(agent, reign, it) } }, reign, mind)
         } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // the machine may have no thread left
-            leases.cannotStart(agent, reign, failed)
-            getAg(agent)?.let(::stop)
+            endReign(agent, reign, failed)
         }
+    }
+
+    private fun endReign(agent: String, reign: Reign, failure: Throwable) {
+        leases.cannotRun(agent, reign, failure)
+        stop(agent)
     }
 
     private fun begin(created: FleetAgArch, reign: Reign, mind: MindNews?) {
@@ -197,6 +213,7 @@ internal class FleetMas :
     }
 
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
+        comparing?.cancel(false)
         if (::leases.isInitialized) leases.close()
         super.finish(deadline, stopJVM, exitValue)
     }
@@ -213,6 +230,7 @@ internal class FleetMas :
         private const val LOCAL = "Local"
         private const val FAILED = 1
         private const val MEETING_MS = 1000L
+        private const val COMPARING_S = 15L
         private val OPTIONS_OF_POOLS = setOf("rc", "cycles", "cycles_sense", "cycles_deliberate", "cycles_act")
     }
 }

@@ -23,8 +23,10 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
+import jason.asSemantics.Event
 import kotlinx.coroutines.delay
 import java.io.IOException
+import java.util.Queue
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
@@ -105,7 +107,22 @@ class LeasesSpec : FunSpec({
                 (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            base.shouldLog("m cannot be started here: unable to create native thread; if no other computer runs it")
+            base.shouldLog("m cannot run here: unable to create native thread; if no other computer runs it")
+            isUnable.get() shouldBe true
+            eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
+        }
+    }
+
+    test("an agent whose thread ends with an error is given up, so that the next computer runs it") {
+        val isUnable = AtomicBoolean()
+        OneComputer("m agentClass argo.fleet.FailingAgent at \"base, scout1\";", "m" to "!go. +!go.").use { base ->
+            base.cluster.answer = { one ->
+                one.end.complete(null)
+                if ((one.message as? RosterNews)?.unable == setOf("m")) isUnable.set(true)
+                (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
+            }
+            base.cluster.view("scout1" to "1", "scout2" to "1")
+            base.shouldLog("m cannot run here: it needs a class that is not there; if no other computer runs it")
             isUnable.get() shouldBe true
             eventually(60.seconds) { base.believed("m") shouldBe emptyList() }
         }
@@ -121,7 +138,7 @@ class LeasesSpec : FunSpec({
         lateinit var leases: Leases
         val agents = object : LeasedAgents {
             override fun start(agent: String, reign: Reign, mind: MindNews?) {
-                if (starts.incrementAndGet() < 3) leases.cannotStart(agent, reign, IOException("there is no m.asl"))
+                if (starts.incrementAndGet() < 3) leases.cannotRun(agent, reign, IOException("there is no m.asl"))
             }
 
             override fun stop(agent: String) = Unit
@@ -215,7 +232,7 @@ class LeasesSpec : FunSpec({
 })
 
 /** A computer without agents of its own. */
-private object Nobody : LocalAgents {
+internal object Nobody : LocalAgents {
     override fun take(message: Say) = Unit
     override fun take(message: Unanswered) = Unit
     override fun kill(wanted: Kill) = Unit
@@ -236,6 +253,11 @@ class ThreadlessAgent : Agent() {
             override fun childValue(parent: Unit?): Unit = throw OutOfMemoryError("unable to create native thread")
         }
     }
+}
+
+/** An agent whose choice of an event ends with an error. */
+class FailingAgent : Agent() {
+    override fun selectEvent(events: Queue<Event>): Event = throw NoClassDefFoundError("it needs a class that is not there")
 }
 
 /** An agent, the first of which is created only when a test has it. */

@@ -16,6 +16,7 @@ import org.java_websocket.framing.PingFrame
 import org.java_websocket.framing.PongFrame
 import org.java_websocket.handshake.ClientHandshake
 import org.java_websocket.handshake.ServerHandshakeBuilder
+import org.java_websocket.server.DefaultSSLWebSocketServerFactory
 import org.java_websocket.server.WebSocketServer
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -24,6 +25,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
+import javax.net.ssl.SSLContext
 
 /** A service: returns for its arguments whether it worked, and its values or the reason why not. */
 internal typealias Service = (JsonObject) -> Pair<Boolean, JsonElement>
@@ -34,8 +36,9 @@ internal typealias Service = (JsonObject) -> Pair<Boolean, JsonElement>
  *
  * @param number its TCP port; 0: a free one
  * @param token the token that clients must show; null: none
+ * @param tls what encrypts the bridge's connections; null: nothing
  */
-internal class TestBridge(number: Int = 0, token: String? = null) : AutoCloseable {
+internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContext? = null) : AutoCloseable {
     private val started = CountDownLatch(1)
     private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "test-bridge-timer").apply { isDaemon = true } }
     private val subscriptions = ConcurrentHashMap<String, Handler>() // by topic: the tests have one client
@@ -89,6 +92,7 @@ internal class TestBridge(number: Int = 0, token: String? = null) : AutoCloseabl
         isReuseAddr = true
         isDaemon = true
         isTcpNoDelay = true
+        tls?.let { setWebSocketFactory(DefaultSSLWebSocketServerFactory(it)) }
         start()
     }
 

@@ -14,7 +14,7 @@ import java.net.URI
 import java.util.concurrent.atomic.AtomicLong
 
 /** The outcomes of the commands of `transcripts/session.ros.yaml`, with the robot of `src/test/ros/robot.py`. */
-internal val SESSION_OUTCOMES = setOf(
+private val SESSION_OUTCOMES = setOf(
     "outcome(move(0.5,0.25),done)", "outcome(horn,done)", "outcome(lamp(true),done)", "outcome(lamp(false),act_failed)",
     "outcome(none,act_failed)", "outcome(drive(2),done)", "outcome(drive(-2),act_failed)", "outcome(drive(0),act_refused)",
     "outcome(drive(100),act_unconfirmed)",

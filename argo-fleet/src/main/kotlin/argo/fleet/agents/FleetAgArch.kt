@@ -36,12 +36,14 @@ import kotlin.concurrent.withLock
  * @param reign the time during which an agent that outlives its computer runs here; null: the agent does not outlive its computer
  * @param begun the mind with which such an agent begins; null: the agent begins as its program says
  * @param keep takes the mind of an agent that outlives its computer; fails if a computer that may run it has not got it
+ * @param failed takes the error that has ended the agent's thread
  */
 internal class FleetAgArch(
     private val fleet: Fleet,
     private val reign: Reign? = null,
     private val begun: MindNews? = null,
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
+    private val failed: (Throwable) -> Unit = { throw it },
 ) : LocalAgArch(), SeveralComputers {
     /** The term of the reign in which the agent runs here; 0: the agent does not outlive its computer. */
     val term: Long = reign?.term ?: 0
@@ -186,6 +188,13 @@ internal class FleetAgArch(
         return wanted.perceive(environment, fleet.directory)
     }
 
+    /** Runs the agent until it is stopped. Jason's reasoning cycle catches exceptions, but an error ends the agent's thread. */
+    override fun run() = try {
+        super.run()
+    } catch (@Suppress("TooGenericExceptionCaught") error: Throwable) {
+        if (isRunning) failed(error) else throw error
+    }
+
     override fun reasoningCycle() {
         if (mayRun()) super.reasoningCycle() else sleep()
     }
@@ -247,7 +256,7 @@ internal class FleetAgArch(
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
         const val SHORT_SLEEP_MS = 1000L
-        const val LONG_SLEEP_MS = 10_000L
+        const val LONG_SLEEP_MS = 30_000L
 
         /** The most characters that tell an asker why its question gets no answer; a reason may contain the answer. */
         const val MAX_REASON = 500

@@ -84,7 +84,7 @@ class Refused(val error: String, message: String) : Exception(message) {
         private const val OTHER = "refused"
         private val LINE = Regex("([a-z][a-z_]{0,40}) (.*)", RegexOption.DOT_MATCHES_ALL)
 
-        fun of(failure: Exception) = failure as? Refused ?: Refused(OTHER, failure.message ?: "$failure")
+        fun of(failure: Throwable) = failure as? Refused ?: Refused(OTHER, failure.message ?: "$failure")
 
         /** Reads a refusal in the form of [line]. */
         fun of(line: String): Refused {

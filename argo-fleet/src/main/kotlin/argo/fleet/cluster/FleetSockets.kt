@@ -39,7 +39,9 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
     /** Returns the next connection from a computer of the fleet. */
     override fun accept(): Socket {
         opening.value
-        while (!isClosed) greeted.poll(1, TimeUnit.SECONDS)?.let { return it }
+        val next = greeted.take()
+        if (!isClosed) return next
+        next.close()
         throw SocketException("closed")
     }
 
@@ -79,6 +81,7 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
         forHosts.shutdownNow()
         watch.shutdownNow()
         generateSequence(greeted::poll).forEach(Socket::close)
+        greeted.add(Socket()) // ends the wait of accept
     }
 
     private companion object {

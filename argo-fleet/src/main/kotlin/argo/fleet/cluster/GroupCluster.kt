@@ -120,7 +120,8 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private fun handOver(from: String, message: ByteArray): Refused? = try {
         listener.message(from, message)
         null
-    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+    } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) { // an error here must not keep the sender waiting
+        if (e !is Refused) LOG.log(System.Logger.Level.ERROR, "a message of $from failed", e)
         Refused.of(e)
     }
 
@@ -183,7 +184,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
 
     private fun tell(call: () -> Unit) = try {
         call()
-    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+    } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) {
         LOG.log(System.Logger.Level.ERROR, "the listener of the cluster failed", e)
     }
 

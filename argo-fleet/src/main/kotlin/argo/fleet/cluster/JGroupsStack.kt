@@ -25,8 +25,11 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     // a suspected computer is asked for a sign before it is given up, since a connection may break while both ends run
     Verification().setTimeout(VERIFYING),
     // these three send the views to all computers; ARGO's own messages bypass them, see GroupCluster
-    NAKACK2().apply { useMcastXmit(false) },
-    UNICAST3(),
+    NAKACK2().apply {
+        useMcastXmit(false)
+        setXmitInterval(maxOf(VIEWS_AGAIN, roundOf(settings.hosts.size)))
+    },
+    UNICAST3().apply { setXmitInterval(maxOf(ANSWERS_AGAIN, roundOf(settings.hosts.size) / 2)) },
     STABLE(),
     GMS().apply {
         setJoinTimeout(JOINING)
@@ -90,14 +93,18 @@ private fun merging(settings: ClusterSettings): MERGE3 {
     }
 }
 
-/** Returns the detection of failures. With more than twenty hosts, signs of life are rarer, so that many computers fit on one machine. */
-private fun failures(hosts: Int): FD_ALL3 {
-    val round = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
-    return SignsOfLife().setInterval(round).setTimeout(2 * round)
-}
+private fun failures(hosts: Int): FD_ALL3 = SignsOfLife().setInterval(roundOf(hosts)).setTimeout(2 * roundOf(hosts))
+
+/**
+ * Returns the time between two signs of life. With more than twenty hosts, signs are rarer, and so are the looks for lost views. So many
+ * computers fit on one machine.
+ */
+private fun roundOf(hosts: Int): Long = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
 
 private const val SIGN_OF_LIFE = 800L
 private const val SIGN_OF_LIFE_FOR_EACH = 40L
+private const val VIEWS_AGAIN = 1000L
+private const val ANSWERS_AGAIN = 500L
 private const val VERIFYING = 200L
 private const val JOINING = 1000L
 private const val VIEW_ACKNOWLEDGEMENTS = 500L

@@ -19,10 +19,10 @@ internal class ThreadLoop(name: String) : Loop {
         LOG.log(System.Logger.Level.DEBUG, "the cluster is closed", e)
     }
 
-    /** Runs [task] and logs its exception, which the executor would keep for a caller that never asks. */
+    /** Runs [task] and logs its exception or error, which the executor would keep for a caller that never asks. */
     private fun guarded(task: () -> Unit) = try {
         task()
-    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+    } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) {
         LOG.log(System.Logger.Level.ERROR, "a task of the cluster failed", e)
     }
 

@@ -8,6 +8,9 @@ package argo.fleet.node
 internal data class Roster(
     val agents: Set<String> = emptySet(), val offers: Set<Offer> = emptySet(), val unable: Set<String> = emptySet(),
 ) {
+    /** A number that is the same on all computers for the same roster, since texts and sets define their hash codes. */
+    val digest: Int get() = hashCode()
+
     fun with(news: RosterNews): Roster {
         val old = if (news.isWhole) Roster() else this
         return Roster(old.agents - news.gone + news.came, old.offers - news.withdrawn + news.offered, old.unable + news.unable - news.able)
@@ -66,6 +69,9 @@ internal data class Directory(
 
     /** Returns true if [computer] is in touch, and has told its agents. */
     fun isMet(computer: String): Boolean = computer in inTouch && (computer == here || computer in rosters)
+
+    /** The [Roster.digest] of each computer that is met. */
+    val digests: Map<String, Int> get() = inTouch.filter(::isMet).associateWith { roster(it).digest }
 
     fun runs(agent: String, computer: String): Boolean = isMet(computer) && agent in roster(computer).agents
 

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletionStage
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
+import kotlin.random.Random
 
 /** What a fleet needs of this computer's agents. The cluster's thread calls these functions, which must not wait. */
 internal interface LocalAgents {
@@ -51,7 +52,9 @@ internal class Fleet(
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
+    private val movable = planned.filterValues { it.size > 1 }.keys // the agents that outlive their computers
     private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
+    private var differing = emptyMap<String, Int>() // the digests in the last [Known] that differ here; for the cluster's thread
     private val told = ConcurrentHashMap.newKeySet<String>() // the lines that were logged once and must not be repeated
     private val met = CompletableFuture<Unit>()
 
@@ -93,15 +96,24 @@ internal class Fleet(
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
 
-    /** Tells the fleet that this computer cannot start [agent], which outlives its computer, so that another computer starts it. */
-    fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
+    /** Tells the fleet that this computer cannot run [agent], which outlives its computer, so that another computer starts it. */
+    fun cannotRun(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
     /** Tells the fleet that this computer will try again to start [agent] if the agent is missing. */
-    fun canStart(agent: String) = tell(RosterNews(able = setOf(agent)))
+    fun canRun(agent: String) = tell(RosterNews(able = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
 
     fun withdraw(offer: Offer) = tell(RosterNews(withdrawn = setOf(offer)))
+
+    /**
+     * Tells another computer, chosen by [random], which rosters this computer knows. Call this now and then: whatever causes a computer to
+     * miss news of another one, it then notices that and asks.
+     */
+    fun compare(random: Random) {
+        val now = directory
+        (now.inTouch - here).randomOrNull(random)?.let { send(it, Known(now.digests)) }
+    }
 
     /** Tells all computers in touch to stop. Completes when each computer has been told or is lost, or after two seconds. */
     fun stopOthers(wanted: Stop): CompletionStage<Void> {
@@ -130,7 +142,8 @@ internal class Fleet(
     /** If news to [computer] fails, as [end] tells, and [computer] is still in touch, tells it everything anew a little later. */
     private fun repeatIfLost(computer: String, end: CompletionStage<Void>) {
         end.exceptionally { failed ->
-            if (computer in directory.inTouch && failed.reason() !is Refused) {
+            if (failed.reason() is Refused) once("$computer does not take the agents and services of $here: ${failed.reason().message}")
+            else if (computer in directory.inTouch) {
                 CompletableFuture.delayedExecutor(RETRY_MS, TimeUnit.MILLISECONDS).execute { tellAll(computer) }
             }
             null
@@ -164,6 +177,7 @@ internal class Fleet(
                 is Say -> take(from, read)
                 is Unanswered -> agents.take(read)
                 is RosterNews -> take(from, read)
+                is Known -> take(from, read)
                 is Kill -> agents.kill(read)
                 is Stop -> agents.stop(read)
                 is Claim, is Grant, is MindNews -> leases.take(from, read)
@@ -180,12 +194,24 @@ internal class Fleet(
         }
 
         private fun take(from: String, news: RosterNews) = synchronized(this@Fleet) {
-            (news.came - directory.planned.filterValues { it.size > 1 }.keys).intersect(directory.roster(here).agents).forEach {
+            (news.came - movable).intersect(directory.roster(here).agents).forEach {
                 once("an agent called $it runs here and on $from: these send to their own one, others to that of ${minOf(here, from)}")
             }
             change { it.with(from, news) }
             noteMet()
             if (news.asksBack) tellAll(from)
+        }
+
+        /** Asks each computer whose roster differs here for the second time. The first time, the news may still be on their way. */
+        private fun take(from: String, known: Known) {
+            val mine = directory.digests
+            val others = (known.digests - here).filter { (computer, digest) -> computer in directory.inTouch && mine[computer] != digest }
+            val missed = others.filter { (computer, digest) -> differing[computer] == digest }.keys
+            differing = others
+            missed.forEach {
+                log.info("$from knows other agents or services of $it than $here does, so $here asks for them")
+                tellAll(it, asksBack = true)
+            }
         }
 
         override fun changed(view: ClusterView) {

@@ -82,6 +82,15 @@ internal data class RosterNews(
     val asksBack: Boolean = false,
 ) : FleetMessage
 
+/**
+ * The rosters that the sender knows. If the receiver has missed news, it notices that.
+ *
+ * @property digests the [Roster.digest] of each computer that is in touch with the sender and has told its roster
+ */
+@Serializable
+@SerialName("known")
+internal data class Known(val digests: Map<String, Int>) : FleetMessage
+
 /** The agent [by] kills [agent], which has [deadlineMs] ms to end. */
 @Serializable
 @SerialName("kill")

@@ -16,7 +16,7 @@ import kotlin.random.Random
 internal interface LeasedAgents {
     /**
      * Starts [agent] with [mind] after this call returns; null: the agent's mind is not known, or this is its first start. If the start
-     * fails, calls [Leases.cannotStart]. If [reign] has ended before the start, calls [Leases.giveUp].
+     * or the agent's thread fails, calls [Leases.cannotRun]. If [reign] has ended before the start, calls [Leases.giveUp].
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
@@ -106,12 +106,12 @@ internal class Leases(
     }
 
     /**
-     * Gives up [reign] over [agent], which this computer cannot start for [reason], so that the next computer runs it. Later this computer
-     * may try again. Any thread may call this.
+     * Gives up [reign] over [agent], which this computer cannot start or go on with for [reason], so that the next computer runs it. Later
+     * this computer may try again. Any thread may call this.
      */
-    fun cannotStart(agent: String, reign: Reign, reason: Throwable) {
-        fleet.cannotStart(agent) // first, or this computer would claim the agent again at once
-        synchronized(this) { held(agent).cannotStart(reign, reason) }
+    fun cannotRun(agent: String, reign: Reign, reason: Throwable) {
+        fleet.cannotRun(agent) // first, or this computer would claim the agent again at once
+        synchronized(this) { held(agent).cannotRun(reign, reason) }
     }
 
     /** Gives up [reign] over [agent]; this computer may claim the agent again. Any thread may call this. */
@@ -133,7 +133,7 @@ internal class Leases(
         private var reign: Reign? = null
         private var missingSince: Long? = null
         private val retry = Retry(nanos)
-        private var told: String? = null // the last reason why this computer could not start the agent
+        private var told: String? = null // the last reason why this computer could not run the agent
 
         fun take(news: MindNews) {
             val known = mind
@@ -155,7 +155,7 @@ internal class Leases(
                 giveUp(running)
                 agents.stop(agent)
             }
-            if (retry.isDue()) fleet.canStart(agent)
+            if (retry.isDue()) fleet.canRun(agent)
             if (reign != null || isMine()) claim()
         }
 
@@ -170,12 +170,12 @@ internal class Leases(
             lease.giveUp()
         }
 
-        fun cannotStart(failed: Reign, reason: Throwable) {
+        fun cannotRun(failed: Reign, reason: Throwable) {
             giveUp(failed)
             val seconds = TimeUnit.NANOSECONDS.toSeconds(retry.failed())
             if ("$reason" != told) {
                 log.log(Level.SEVERE, reason) {
-                    "$agent cannot be started here: ${reason.message}; if no other computer runs it, this one tries again in $seconds s," +
+                    "$agent cannot run here: ${reason.message}; if no other computer runs it, this one tries again in $seconds s," +
                         " and then more and more rarely"
                 }
             }

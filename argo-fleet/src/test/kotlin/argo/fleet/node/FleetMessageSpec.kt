@@ -21,6 +21,7 @@ class FleetMessageSpec : FunSpec({
         RosterNews(isWhole = true, came = setOf("a", "b"), offered = setOf(Offer("a", "sells(x)"))),
         RosterNews(gone = setOf("a"), withdrawn = setOf(Offer("a", "s")), unable = setOf("m")),
         RosterNews(able = setOf("m")),
+        Known(mapOf("base" to -7)),
         Unanswered("samid2", "a", "not_sendable", "it is a Java object"),
         Kill("a", "b", 100),
         Stop(0, true, 3),
