@@ -62,11 +62,15 @@ class Board:
         *lines, self.buffer = self.buffer.split(b"\n")
         return [line.decode() for line in lines]
 
+    def acted(self, seconds=0.0):
+        """Like carried(), without "lost", which a busy machine causes: it halts this program for longer than the board waits for it."""
+        return [text for text in self.carried(seconds) if text != "lost"]
+
     def next(self):
         """Returns the next action that is carried out; fails if none is."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
-            found = self.carried(0.5)
+            found = self.acted(0.5)
             if found:
                 equal(len(found), 1)
                 return found[0]
@@ -79,7 +83,7 @@ def answers_acts_and_refuses_in_both_versions(python):
         takes = {"led": 0, "ledOn": 0, "stop": 0, "speed": 1, "say": 255, "near": 1, "grip": 1, "fail": 0}
         equal(session.vocabulary(), list(takes.items()))
         equal((session.send(1, "speed(7)", 2), session.refused), (3, False))
-        equal(board.carried(1.0) + board.carried(0.05), ["ledOn", "speed(7)", "stop"])
+        equal(board.acted(1.0) + board.acted(0.05), ["ledOn", "speed(7)", "stop"])
         for refused in ("speed(0)", "speed(", "speed", "speed(1,2)", "speed()", "fly", "fail", "stop(1)", "stop)", 7, 3, 100):
             equal((session.send(refused), session.refused), (1, True))
         equal(session.ask("(count)"), "count(3);")
@@ -90,7 +94,7 @@ def answers_acts_and_refuses_in_both_versions(python):
         equal(board.next(), "ledOn")
         time.sleep(0.05)
         equal(line.ask("getPercepts(dist)"), "dist(f,100);")
-        equal(board.carried(), [])
+        equal(board.acted(), [])
 
 
 def an_outcome_is_reported_later(python):
@@ -106,7 +110,7 @@ def an_outcome_is_reported_later(python):
             closing = frames.Frame(frames.ASK, session.request, b"\0(closing)")
             ended = session.exchange(closing, lambda f: is_acknowledgement(f) and not f.kind & frames.BUSY)
             equal((ended.number, bool(ended.kind & frames.REFUSED)), (session.due + 1, refused))
-            equal([text for text in board.carried(1.0) if text != "lost"], [f"grip({ends})"])
+            equal(board.acted(1.0), [f"grip({ends})"])
             session.due += 1
 
 
@@ -129,16 +133,16 @@ def a_reflex_is_carried_out_by_the_board_itself(python):
         board.session.send("near(30)")
         time.sleep(0.1)
         equal(board.session.ask("(dist)"), "dist(f,30);")
-        equal(board.carried(), [])
+        equal(board.acted(), [])
 
 
 def a_silent_computer_is_noticed_once(python):
     with Board(python) as board:
-        board.session.ask()
-        equal(board.next(), "lost")
-        equal(board.carried(0.8), [])
-        board.session.ask()
-        equal(board.next(), "lost")
+        for _ in range(2):
+            board.session.ask()
+            check(board.carried(PATIENCE), "the silence is not noticed")
+            board.carried(0.6)  # the first one may have been of a silence before, on a busy machine
+            equal(board.carried(0.8), [])
 
 
 def messages_of_255_bytes_go_both_ways(python):
@@ -176,8 +180,8 @@ def version_2_carries_out_every_command_once_on_a_damaged_line(python):
             expected += row
             if len(expected) % 5 == 0:
                 equal(session.ask("(count)"), f"count({len(expected)});")
-            carried += [text for text in board.carried() if text != "lost"]
-        carried += [text for text in board.carried(0.1) if text != "lost"]
+            carried += board.acted()
+        carried += board.acted(0.1)
         check(len(expected) > 100 and damaged[0] > 10, f"only {len(expected)} commands and {damaged[0]} damaged bytes in the time")
         equal(carried, expected)
     print(f"  version 2 on {os.path.basename(python)}, {damaged[0]} bytes damaged in both directions: {len(expected)} commands,"
@@ -199,11 +203,10 @@ def version_1_carries_out_no_other_action_on_a_damaged_line(python):
             sent += 1
             board.line.write(frame1(b"getPercepts(dist)"))
             board.line.messages(0.3)
-            for act in board.carried():
-                if act != "lost":
-                    carried.append(act)
-                    # The number may be another one, since version 1 has no checksum.
-                    equal(act.split("(")[0], text.split("(")[0])
+            for act in board.acted():
+                carried.append(act)
+                # The number may be another one, since version 1 has no checksum.
+                equal(act.split("(")[0], text.split("(")[0])
         check(sent > 100 and damaged[0] > 5, f"only {sent} actions and {damaged[0]} damaged bytes in the time")
         check(sent - len(carried) <= 3 * damaged[0], f"{sent - len(carried)} of {sent} actions lost by {damaged[0]} damaged bytes")
     print(f"  version 1 on {os.path.basename(python)}, {damaged[0]} bytes of {sent} actions damaged: {len(carried)} carried out,"

@@ -16,7 +16,7 @@ from javino2 import commands, frames, parts, percepts  # noqa: E402
 frame1 = version1.frame
 
 # Long enough for the slowest machine: it only ends what would hang.
-PATIENCE = 20.0
+PATIENCE = 60.0
 
 # A machine that is busy elsewhere may halt the simulated board inside a frame; the board's own clock then halts too.
 HALT_MS = 5000

@@ -214,13 +214,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** Jason calls this function when it has added the events of the new percepts. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
-        waiting?.let { before -> takeTurns(ts.c.events, before) { boundary.boardOf(it) { boardOf(it) } } }
+        waiting?.let { before -> takeTurns(ts.c.events, before) }
         waiting = null
         boundary.newlyCritical(criticalLive).takeIf { it.isNotEmpty() }?.let { bringForward(ts.c.events, it) }
         boundary.takeMail(mailLive)
     }
-
-    private fun boardOf(percept: Literal): String? = boards.of(percept).firstOrNull()?.run { "$term" }
 
     override fun sendMsg(message: Message) = boundary.send(message) { super.sendMsg(message) }
 

@@ -59,7 +59,7 @@ internal abstract class TransportContract(available: Enabled, open: () -> Line) 
     contract("a read that waits returns as soon as a byte arrives") {
         val reader = async { computer.readFully(1).decodeToString() }
         board.write("x".toByteArray(), 0, 1, LONG_MILLIS)
-        reader.get(10, TimeUnit.SECONDS) shouldBe "x"
+        reader.get(20, TimeUnit.SECONDS) shouldBe "x"
     }
 
     contract("one thread reads while another writes") {
@@ -130,8 +130,8 @@ internal abstract class TransportContract(available: Enabled, open: () -> Line) 
             interrupted.complete(Thread.currentThread().isInterrupted)
         }
         reader.interrupt()
-        failure.get(10, TimeUnit.SECONDS).shouldBeInstanceOf<PortInterruptedException>()
-        interrupted.get(10, TimeUnit.SECONDS) shouldBe true
+        failure.get(20, TimeUnit.SECONDS).shouldBeInstanceOf<PortInterruptedException>()
+        interrupted.get(20, TimeUnit.SECONDS) shouldBe true
         board.write("x".toByteArray(), 0, 1, LONG_MILLIS)
         computer.readFully(1).decodeToString() shouldBe "x"
     }

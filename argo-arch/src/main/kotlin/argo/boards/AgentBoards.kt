@@ -122,8 +122,8 @@ internal class AgentBoards(
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
     /** Returns the perceived boards that may have sent [percept]. */
-    fun of(percept: Literal): List<Board> = current.let { boards ->
-        boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
+    fun of(percept: Literal): List<Board> = current.filter { it.isNamed(percept) }.let { named ->
+        if (named.size == 1) named else named.filter { it.hadOrHas(percept) }
     }
 
     /** Returns the port that the agent calls [port], if it is open or belongs to a perceived board; null: there is none. */
@@ -155,9 +155,10 @@ internal class AgentBoards(
         }
     }
 
-    /** Returns true if [percept] belongs to [board], or to no board that the agent perceives. */
+    /** Returns true if [percept] belongs to [board], or is in its namespace and belongs to no board that the agent perceives. */
     private fun isOf(board: Board, percept: Literal): Boolean {
         if (!areSeveral) return true
+        if (!board.isNamed(percept)) return false
         val claiming = of(percept)
         return claiming.isEmpty() || board in claiming
     }

@@ -198,11 +198,11 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }
 
-    /**
-     * Returns true if [percept] is in this board's namespace, and the board is the only one there ([isAlone]) or has, or had, this percept.
-     */
-    fun claims(percept: Literal, isAlone: Boolean): Boolean =
-        percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
+    /** Returns true if [percept] is in this board's namespace. */
+    fun isNamed(percept: Literal): Boolean = percept.ns == (space ?: Literal.DefaultNS)
+
+    /** Returns true if the agent believes [percept] of this board, or believed it before the last snapshot. */
+    fun hadOrHas(percept: Literal): Boolean = percept in believed.get()
 
     /** Recomputes whether the board is stale. Returns true if it has become stale or fresh, or if a reflex has an outcome. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()

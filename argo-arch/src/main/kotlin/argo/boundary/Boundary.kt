@@ -30,9 +30,6 @@ interface Boundary {
     /** Returns the percepts that meet critical rules and are new in this cycle. The agent handles their events first. */
     fun newlyCritical(live: () -> List<Literal>): List<Literal>
 
-    /** Returns the port of the board that has sent [percept], whose event waits in the agent's queue; null: no board has sent it. */
-    fun boardOf(percept: Literal, live: () -> String?): String?
-
     /** Fills the agent's mailbox in this cycle; [live] adds the messages that have come. */
     fun takeMail(live: () -> Unit)
 
@@ -104,7 +101,6 @@ internal object Live : Boundary {
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = live().forEach(carryOut)
     override fun perceive(live: () -> Perception) = live()
     override fun newlyCritical(live: () -> List<Literal>) = live()
-    override fun boardOf(percept: Literal, live: () -> String?) = live()
     override fun takeMail(live: () -> Unit) = live()
     override fun call(call: InternalCall, live: () -> Any) = live()
     override fun suspended(complete: (CommandFailure?, String?) -> Unit) = complete

@@ -37,7 +37,8 @@ internal class ReasoningQueues(
  * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; only the agent's thread may call the other functions.
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
- * @param isOwn returns true if a percept belongs to the board, or to no board that the agent perceives; called by any thread
+ * @param isOwn returns true if a percept belongs to the board, or is in its namespace and belongs to no board that the agent perceives;
+ * called by any thread
  */
 internal class EarlierWork(
     val commands: CommandLedger,

@@ -28,22 +28,32 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
 }
 
 /**
- * Lets the percept events of several boards take turns in Jason's queue. Otherwise a board with many events would delay other boards, since
- * Jason takes one event a cycle.
+ * Lets the percept events of several namespaces take turns in Jason's queue. Otherwise a board with many events would delay other boards,
+ * since Jason takes one event a cycle.
+ *
+ * The turn of a percept event is its place among the percept events of its namespace, and a new event goes behind all events that have no
+ * later turn. So no event goes in front of the first one of a namespace, and Jason reaches each event, however many come.
  *
  * @param queue the agent's event queue. Other threads may add events at the same time; no event is lost
- * @param waiting the number of events that were in the queue before those of the new snapshots
- * @param boardOf returns the board of a percept; null: no board
+ * @param waiting the number of events that were in the queue before those of the new snapshots; these keep their order
  */
-internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {
+internal fun takeTurns(queue: Queue<Event>, waiting: Int) {
     val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)
     if (!isNew) return
     val all = generateSequence(queue::poll).toList()
     val (percepts, others) = all.drop(waiting).partition(::isPerceptEvent)
-    val lanes = listOf(all.take(waiting)) + percepts.groupBy { boardOf(it.trigger.literal) }.values
-    queue.addAll(inTurns(lanes) + others)
+    val inTurn = all.take(waiting) + percepts
+    val turns = turns(inTurn)
+    val kept = turns.take(waiting).asReversed().runningReduce { later, turn -> minOf(later, turn) }.asReversed()
+    queue.addAll(inTurn.zip(kept + turns.drop(waiting)).sortedBy { (_, turn) -> turn }.map { (event, _) -> event } + others)
 }
 
-/** Returns the first element of each list in [lanes], then the second element of each, and so on. */
-private fun <T> inTurns(lanes: List<List<T>>): List<T> =
-    (0 until lanes.maxOf { it.size }).flatMap { i -> lanes.mapNotNull { it.getOrNull(i) } }
+/** Returns the turn of each event; an event of another kind has that of the percept event in front of it. */
+private fun turns(events: List<Event>): List<Int> {
+    val counts = HashMap<String, Int>()
+    var turn = 0
+    return events.map { event ->
+        if (isPerceptEvent(event)) turn = counts.merge(event.trigger.literal.ns.functor, 1, Int::plus) ?: 1
+        turn
+    }
+}

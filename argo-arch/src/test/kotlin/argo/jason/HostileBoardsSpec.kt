@@ -2,10 +2,8 @@ package argo.jason
 
 import argo.FussyProvider
 import io.kotest.assertions.nondeterministic.eventually
-import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -89,11 +87,12 @@ class HostileBoardsSpec : FunSpec({
                     +!start <- argo.port("sim:bomb", [baud(10000000), boot(0), timeout(2000)]);
                         argo.limit(0); argo.percepts(open); !beat(1).
                     +!beat(N) <- argo.act(beat(N)); .wait(5); !beat(N+1).
+                    +port(_,timeout) <- +unanswered.
                 """)
                 eventually(LIMIT) { board.answers shouldBeGreaterThan 4 }
                 val before = board.commands.size
                 eventually(LIMIT) { board.commands.size shouldBeGreaterThan before + 20 }
-                eventually(LIMIT) { mas.beliefs("bob") shouldContain "port(\"sim:bomb\",timeout)" }
+                mas.awaitBelief("bob", "unanswered")
                 mas.log shouldContain "sent percepts of more than 65536 bytes, which are dropped"
                 mas.beliefs("bob").filter { it.length > 65_536 }.size shouldBe 0
             }
@@ -131,16 +130,13 @@ class HostileBoardsSpec : FunSpec({
                     -!act(I)[error(E)] <- +failed(I,E).
                     +!reach(G) <- +reached(G).
                 """)
-                eventually(LIMIT) {
-                    withClue({ mas.log.take(2_000) + mas.beliefs("bob").take(5) }) {
-                        mas.beliefs("bob").count { it.startsWith("failed(") } shouldBeGreaterThan 1_000
-                    }
-                }
+                val clue = { mas.log.take(2_000) + mas.beliefs("bob").take(5) }
+                awaitGrowth(1_001, clue) { mas.beliefs("bob").count { it.startsWith("failed(") } }
                 repeat(10) {
                     mas.achieve("bob", "reach(g$it)")
                     mas.awaitBelief("bob", "reached(g$it)")
                 }
-                eventually(LIMIT) { mas.beliefs("bob").count { it.startsWith("failed(") || it.startsWith("sent(") } shouldBe 10_000 }
+                awaitGrowth(10_000, clue) { mas.beliefs("bob").count { it.startsWith("failed(") || it.startsWith("sent(") } }
                 mas.beliefs("bob").filter { it.startsWith("failed(") }.map { it.substringAfter(',').dropLast(1) }.toSet()
                     .filterNot { it in setOf("act_timeout", "act_unconfirmed") }.shouldBeEmpty()
                 (waiting.filterNot { it.startsWith("argo-bob-") }).shouldBeEmpty()

@@ -8,7 +8,6 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.ints.shouldBeGreaterThan
-import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
@@ -24,10 +23,12 @@ import kotlin.random.Random
 /**
  * An agent in a process of its own, with a board on a pseudo-terminal, that is killed (`kill -9`) at random times and started again: it
  * goes on each time, with what it believed a few seconds before at most if it lived that long, and its board carries no command out twice.
+ * The property `argo.process.kills` is the number of kills.
  */
 @Tags("Thorough")
 class KilledProcessSpec : FunSpec({
     val folder = tempdir().toPath()
+    val kills = Integer.getInteger("argo.process.kills", 8)
     val resumed = Regex("""resumed (\d+)""")
     val mostNs = TimeUnit.SECONDS.toNanos(20) // five seconds, on a machine that may be slow; KilledAgentsSpec is exact
     val longMs = 5_500L // longer than the time between two states
@@ -55,11 +56,12 @@ class KilledProcessSpec : FunSpec({
     }
 
     fun start(): Process = ProcessBuilder(
-        ProcessHandle.current().info().command().orElse("java"), "-cp", System.getProperty("java.class.path"),
+        ProcessHandle.current().info().command().orElse("java"), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
+        "-cp", System.getProperty("java.class.path"),
         "jason.infra.local.RunLocalMAS", "robots.mas2j", "--no-net", "--log-conf", "logging.properties",
     ).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile()).start()
 
-    test("twenty kills, and a polite end").config(enabledOrReasonIf = { withTerminals }, blockingTest = true) {
+    test("kills, and a polite end").config(enabledOrReasonIf = { withTerminals }, blockingTest = true) {
         val chance = Random(33)
         FakeBoard.plugIn("far").use { plugged ->
             val board = plugged.lenient()
@@ -68,7 +70,7 @@ class KilledProcessSpec : FunSpec({
             TerminalBoard(board).use { terminal ->
                 project(terminal.device)
                 var killedNs = 0L
-                repeat(21) { life ->
+                repeat(kills + 1) { life ->
                     val before = driven().size
                     val process = start()
                     try {
@@ -81,12 +83,12 @@ class KilledProcessSpec : FunSpec({
                         Thread.sleep(if (life % 2 == 0) longMs else chance.nextLong(longMs)) // the life of the process
                     } finally {
                         killedNs = System.nanoTime() // the clock of all processes of a computer
-                        if (life < 20) process.destroyForcibly() else process.destroy()
+                        if (life < kills) process.destroyForcibly() else process.destroy()
                         process.waitFor(20, TimeUnit.SECONDS) shouldBe true
                     }
                     folder.listDirectoryEntries("*broken*").map { it.name }.shouldBeEmpty()
                 }
-                driven().size shouldBeGreaterThanOrEqual 21
+                driven().size shouldBeGreaterThan kills
                 driven().shouldBeUnique()
             }
         }

@@ -4,6 +4,7 @@ import argo.Arch
 import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import jason.asSemantics.Intention
@@ -30,6 +31,21 @@ import kotlin.time.Duration.Companion.seconds
 
 /** The longest wait of a real-time test for events that take milliseconds on an idle machine. */
 internal val LIMIT = 60.seconds
+
+/**
+ * Returns when [count] returns [goal] or more. Fails with [clue] if [count] does not grow within [LIMIT]: a crowded machine takes long for
+ * many things, but does one more in this time.
+ */
+internal suspend fun awaitGrowth(goal: Int, clue: () -> String, count: () -> Int) {
+    var reached = count()
+    while (reached < goal) {
+        val before = reached
+        eventually(LIMIT) {
+            reached = count()
+            withClue(clue) { reached shouldBeGreaterThan before }
+        }
+    }
+}
 
 /** Jason's Local infrastructure in this process, in real time, for agents given as text. One at a time. */
 internal class LocalMas : AutoCloseable {

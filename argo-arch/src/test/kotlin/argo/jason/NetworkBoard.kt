@@ -13,7 +13,11 @@ import kotlin.concurrent.thread
 internal class NetworkBoard(number: Int = 0) : AutoCloseable {
     private val server = ServerSocket(number, 1, InetAddress.getLoopbackAddress())
     private val connections = ConcurrentLinkedQueue<Socket>()
-    private var count = 0
+
+    /** The number of requests for percepts that it has answered. */
+    @Volatile
+    var answers = 0
+        private set
 
     /** True if it does not answer, though it reads. */
     @Volatile
@@ -38,7 +42,7 @@ internal class NetworkBoard(number: Int = 0) : AutoCloseable {
         val decoder = FrameDecoder(1_000_000_000) { frame ->
             when {
                 frame.text() != "getPercepts" -> received += frame.text()
-                !isMute -> connection.getOutputStream().write(Frame.of("count(${++count});").toBytes())
+                !isMute -> connection.getOutputStream().write(Frame.of("count(${++answers});").toBytes())
             }
         }
         val bytes = ByteArray(1024)

@@ -96,7 +96,7 @@ class PausingSpec : FunSpec({
 
     test("the safe command overtakes waiting commands, and is sent behind them once more") {
         board().use { board ->
-            board.whenAsked("slow").outcomeAfter(100)
+            board.whenAsked("slow").outcomeAfter(500) // the pause comes before the last
             LocalMas().use { mas ->
                 mas.agent("bob", """
                     !start.

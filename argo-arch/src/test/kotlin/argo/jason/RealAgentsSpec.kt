@@ -34,9 +34,8 @@ class RealAgentsSpec : FunSpec({
                         +dist(f,X) <- argo.act(seen(X)).
                     """)
                 }
-                eventually(LIMIT) {
-                    boards.filter { board -> board.received().none { it.startsWith("seen") } }.map { it.port() }.shouldBeEmpty()
-                }
+                fun unseen() = boards.filter { board -> board.received().none { it.startsWith("seen") } }.map { it.port() }
+                awaitGrowth(boards.size, { "not acted on: ${unseen()}" }) { boards.size - unseen().size }
                 (1..200).forEach { mas.kill("bob$it") }
                 eventually(LIMIT) { argoThreads().shouldBeEmpty() }
                 boards.mapNotNull { Link.ownerOf(it.port()).orElse(null) }.shouldBeEmpty()

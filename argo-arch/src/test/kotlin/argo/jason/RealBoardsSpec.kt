@@ -8,9 +8,18 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 
+private val COUNT = Regex("""b(\d+)::count\((\d+)\)""")
+
 /** Several boards of one agent, on Jason's own infrastructure and real threads. */
 @Tags("Thorough")
 class RealBoardsSpec : FunSpec({
+    fun counts(beliefs: Set<String>) = beliefs.mapNotNull { COUNT.matchEntire(it)?.destructured }
+        .associate { (board, count) -> board.toInt() to count.toInt() }
+
+    /** Names for each board the answer that was perceived last, of the number of its answers: the difference is the age of the belief. */
+    fun described(boards: List<NetworkBoard>, perceived: Map<Int, Int>) = "${perceived.size} of ${boards.size} boards perceived: " +
+        boards.withIndex().joinToString { (i, board) -> "b$i ${perceived[i] ?: "no answer"} of ${board.answers}" }
+
     fun threads(prefix: String) = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith(prefix) }
 
     test("127 boards on the network are perceived by one agent, each in its namespace, and closed with it") {
@@ -24,12 +33,15 @@ class RealBoardsSpec : FunSpec({
                     +b126::count(X) : X > 5 <- argo.act(b0::last(X)).
                 """)
                 mas.awaitBelief("bob", "all")
-                val unseen = boards.indices.toMutableSet() // Jason takes a belief away before it adds the next one
+                val perceived = HashMap<Int, Int>() // by board, the last of its answers that was seen among the beliefs
+                awaitGrowth(boards.size, { "${described(boards, perceived)}\n${mas.log}" }) {
+                    perceived += counts(mas.beliefs("bob"))
+                    perceived.size
+                }
                 eventually(LIMIT) {
-                    val namespaces = mas.beliefs("bob").filter { "::count(" in it }.mapTo(HashSet()) { it.substringBefore("::") }
-                    unseen.removeIf { "b$it" in namespaces }
-                    withClue({ "boards not perceived: $unseen\n${mas.log}" }) { unseen.shouldBeEmpty() }
-                    boards.first().received.map { it.substringBefore('(') } shouldContain "last"
+                    withClue({ described(boards, perceived + counts(mas.beliefs("bob"))) }) {
+                        boards.first().received.map { it.substringBefore('(') } shouldContain "last"
+                    }
                 }
                 threads("argo-bob-").size shouldBeLessThanOrEqualTo 2 * boards.size
                 mas.kill("bob")
@@ -53,7 +65,7 @@ class RealBoardsSpec : FunSpec({
                     +!start <- argo.percepts(open); argo.ports(${ports.joinToString(",", "[", "]")}).
                 """)
                 for (belief in listOf("left::told", "right::told", "left::gone", "right::gone")) mas.awaitBelief("bob", belief)
-                for (board in boards) board.received.map { it.substringBefore('(') } shouldContain "enough"
+                eventually(LIMIT) { for (board in boards) board.received.map { it.substringBefore('(') } shouldContain "enough" }
                 mas.kill("bob")
             }
         } finally {

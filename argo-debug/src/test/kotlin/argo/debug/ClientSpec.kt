@@ -131,8 +131,10 @@ class ClientSpec : FunSpec({
     }
 })
 
-/** Returns a port that is free. */
-internal fun freePort() = ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { it.localPort }
+/** Returns a port that is free, below those that the system hands out: another program could use one of these before the debugger does. */
+internal fun freePort() = (20_000..31_999).shuffled().first { port ->
+    runCatching { ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close() }.isSuccess
+}
 
 private val JsonElement.items: List<JsonElement> get() = asJsonArray.toList()
 

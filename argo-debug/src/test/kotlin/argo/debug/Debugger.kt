@@ -115,4 +115,4 @@ internal fun said(ask: () -> String): String = try {
 
 internal fun <T> CompletableFuture<T>.value(): T = get(PATIENCE_S, TimeUnit.SECONDS)
 
-private const val PATIENCE_S = 30L
+private const val PATIENCE_S = 60L

@@ -49,6 +49,6 @@ internal class FakeCluster(override val here: String) : Cluster {
     override fun close() = Unit
 
     private companion object {
-        const val PATIENCE_S = 20L
+        const val PATIENCE_S = 60L
     }
 }

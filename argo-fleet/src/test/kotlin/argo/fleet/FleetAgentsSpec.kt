@@ -141,7 +141,7 @@ class FleetAgentsSpec : FunSpec({
                 sent.end.complete(null)
                 val asked = sent.message as Say
                 cluster.receives("scout1", Say("mid9", asked.id, "tell", "b", "a", "p(7)[source(self)]"))
-                eventually(20.seconds) { believed("a").filter { it.startsWith("got(p(7)") }.size shouldBe 1 }
+                eventually(60.seconds) { believed("a").filter { it.startsWith("got(p(7)") }.size shouldBe 1 }
             }
         }
 
@@ -202,7 +202,7 @@ class FleetAgentsSpec : FunSpec({
         test("becomes a belief with its source, its variables are not the receiver's, and a question is answered there") {
             computer("p(7).") {
                 cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "n::told(\"x\")[extra]"))
-                eventually(20.seconds) {
+                eventually(60.seconds) {
                     believed("a").filter { it.startsWith("n::told(\"x\")") && "source(b)" in it && "extra" in it }.size shouldBe 1
                 }
                 cluster.receives("scout1", Say("samid5", null, "askOne", "b", "a", "p(X)"))
@@ -224,13 +224,13 @@ class FleetAgentsSpec : FunSpec({
                 cluster.receives("scout1", Say("samid5", null, "askOne", "b", "a", "p(X)"))
                 cluster.next().end.completeExceptionally(Overloaded("it is too long"))
                 shouldLog("a message to b has not arrived: it is too long")
-                eventually(20.seconds) {
+                eventually(60.seconds) {
                     told shouldContain Unanswered("samid5", "b", "overloaded", "a has answered in vain: it is too long")
                 }
                 cluster.receives("scout1", Say("mid6", null, "achieve", "b", "a", "make"))
-                eventually(20.seconds) { believed("a").filter { it.startsWith("object") }.size shouldBe 1 }
+                eventually(60.seconds) { believed("a").filter { it.startsWith("object") }.size shouldBe 1 }
                 cluster.receives("scout1", Say("samid6", null, "askOne", "b", "a", "object(X)"))
-                eventually(20.seconds) {
+                eventually(60.seconds) {
                     told.filterIsInstance<Unanswered>().map { it.question to it.error } shouldContain ("samid6" to "not_sendable")
                 }
             }
@@ -246,7 +246,7 @@ class FleetAgentsSpec : FunSpec({
                 shouldLog("a message of scout1 is refused: it is of format 7")
                 shouldLog("a message of b cannot be read and is refused")
                 cluster.receives("scout1", Say("mid3", null, "tell", "b", "a", "still"))
-                eventually(20.seconds) { believed("a") shouldContain "still[source(b)]" }
+                eventually(60.seconds) { believed("a") shouldContain "still[source(b)]" }
             }
         }
     }
@@ -284,7 +284,7 @@ class FleetAgentsSpec : FunSpec({
             sent.end.complete(null)
             shouldBelieve("a", "done[source(self)]")
             cluster.receives("scout1", Kill("a", "b", 0))
-            eventually(20.seconds) { fleet.directory.names shouldNotContain "a" }
+            eventually(60.seconds) { fleet.directory.names shouldNotContain "a" }
             shouldThrow<Refused> { cluster.receives("scout1", Kill("a", "b", 0)) }.error shouldBe "no_agent"
         }
     }
@@ -344,7 +344,7 @@ class FleetAgentsSpec : FunSpec({
             cluster.receives("scout2", RosterNews(gone = setOf("late")))
         }) {
             shouldBelieve("a", "failed(no_agent)[source(self)]")
-            eventually(20.seconds) { fleet.directory.roster("base").agents shouldContain "late" }
+            eventually(60.seconds) { fleet.directory.roster("base").agents shouldContain "late" }
         }
     }
 
@@ -356,7 +356,7 @@ class FleetAgentsSpec : FunSpec({
                 sent.end.complete(null)
             }
         }) {
-            eventually(20.seconds) { isRunning shouldBe false }
+            eventually(60.seconds) { isRunning shouldBe false }
             stops shouldBe listOf(Stop(0, stopsJvm = false, exitStatus = 0))
         }
     }
@@ -405,7 +405,7 @@ class FleetAgentsSpec : FunSpec({
             )
             cluster.view("rasp-pi" to "1")
             shouldBelieve("a", "computer(scout1,off)[source(percept)]", "computer(\"rasp-pi\",off)[source(percept)]")
-            eventually(20.seconds) { believed("a") shouldNotContain "agent(b,scout1)[source(percept)]" }
+            eventually(60.seconds) { believed("a") shouldNotContain "agent(b,scout1)[source(percept)]" }
             cluster.receives("rasp-pi", whole("c"))
             shouldBelieve("a", "computer(\"rasp-pi\",on)[source(percept)]", "agent(c,\"rasp-pi\")[source(percept)]")
         }

@@ -54,7 +54,7 @@ class FleetRecordingSpec : FunSpec({
             cluster.next().end.complete(null)
             base.shouldBelieve("a", "done[source(self)]")
         }
-        eventually(20.seconds) { McapReader(file).use { it.isComplete } shouldBe true }
+        eventually(60.seconds) { McapReader(file).use { it.isComplete } shouldBe true }
         Recording(file).use { recording ->
             Replay(recording).use { replay ->
                 replay.run()

@@ -49,7 +49,7 @@ class LeasesSpec : FunSpec({
             base.cluster.view("scout1" to "1")
             val mind = MindNews("m", 1, 7, "counted(7).")
             base.cluster.receives("scout1", mind)
-            eventually(20.seconds) { // it grants nothing at the beginning
+            eventually(60.seconds) { // it grants nothing at the beginning
                 base.cluster.receives("scout1", Claim("m", 1, 2))
                 sent shouldContain Grant("m", 1, 2, true)
             }
@@ -74,7 +74,7 @@ class LeasesSpec : FunSpec({
             base.shouldBelieve("m", "counted(7)")
             isGranting.set(false)
             base.shouldLog("m stops here: most computers of the fleet have not confirmed in time")
-            eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
+            eventually(60.seconds) { base.believed("m") shouldBe emptyList() }
         }
     }
 
@@ -87,7 +87,7 @@ class LeasesSpec : FunSpec({
                 if ((one.message as? RosterNews)?.unable == setOf("m")) isAble.set(false)
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            eventually(20.seconds) { isAble.get() shouldBe false }
+            eventually(60.seconds) { isAble.get() shouldBe false }
             val claims = CopyOnWriteArrayList<FleetMessage>()
             base.cluster.answer = { one ->
                 one.end.complete(null)
@@ -124,7 +124,7 @@ class LeasesSpec : FunSpec({
             base.cluster.view("scout1" to "1", "scout2" to "1")
             base.shouldLog("m cannot run here: it needs a class that is not there; if no other computer runs it")
             isUnable.get() shouldBe true
-            eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
+            eventually(60.seconds) { base.believed("m") shouldBe emptyList() }
         }
     }
 
@@ -152,7 +152,7 @@ class LeasesSpec : FunSpec({
             }
             cluster.view("scout1" to "1", "scout2" to "1")
             leases.begin()
-            eventually(20.seconds) {
+            eventually(60.seconds) {
                 now.addAndGet(1_000_000_000)
                 starts.get() shouldBe 3
             }
@@ -170,7 +170,7 @@ class LeasesSpec : FunSpec({
                 (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            eventually(20.seconds) { minds.size shouldBe 4 }
+            eventually(60.seconds) { minds.size shouldBe 4 }
             base.shouldLog("has not got what m believes, and is told again: too much waits")
         }
     }
@@ -190,13 +190,13 @@ class LeasesSpec : FunSpec({
                     else { // the leases' thread waits here, so they do not notice that the right ends
                         Thread.sleep(maxOf(0, 1450 - age))
                         LateAgent.release()
-                        isGone.await(20, TimeUnit.SECONDS)
+                        isGone.await(60, TimeUnit.SECONDS)
                     }
                     base.cluster.receives(one.to, Grant("m", claim.number, claim.term, true))
                 }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            isGone.await(20, TimeUnit.SECONDS) shouldBe true
+            isGone.await(60, TimeUnit.SECONDS) shouldBe true
             base.shouldBelieve("m", "place(north)[source(self)]")
         }
     }
@@ -217,12 +217,12 @@ class LeasesSpec : FunSpec({
                 }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            eventually(20.seconds) { LateAgent.isHeld() shouldBe true }
+            eventually(60.seconds) { LateAgent.isHeld() shouldBe true }
             isGranting.set(false)
             val before = granted.get()
-            eventually(20.seconds) { claimed.get() shouldBeGreaterThan before } // it has given the first one up
+            eventually(60.seconds) { claimed.get() shouldBeGreaterThan before } // it has given the first one up
             isGranting.set(true)
-            eventually(20.seconds) { granted.get() shouldBeGreaterThan before }
+            eventually(60.seconds) { granted.get() shouldBeGreaterThan before }
             LateAgent.release()
             base.shouldBelieve("m", "place(north)[source(self)]")
             delay(1.seconds) // the first one would have been taken away by then, and the second with it

@@ -70,11 +70,11 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
 
     /** Waits until [agent] believes all of [beliefs]. */
     suspend fun shouldBelieve(agent: String, vararg beliefs: String) =
-        eventually(20.seconds) { believed(agent) shouldContainAll beliefs.asList() }
+        eventually(60.seconds) { believed(agent) shouldContainAll beliefs.asList() }
 
     /** Waits until the log has lines with [text], at least as many as [times]. */
     suspend fun shouldLog(text: String, times: Int = 1) =
-        eventually(20.seconds) { records.count { text in it.message } shouldBeGreaterThanOrEqual times }
+        eventually(60.seconds) { records.count { text in it.message } shouldBeGreaterThanOrEqual times }
 
     val isRunning: Boolean get() = mas.isRunning
 

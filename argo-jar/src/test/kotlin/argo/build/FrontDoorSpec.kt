@@ -47,9 +47,9 @@ class FrontDoorSpec : FunSpec({
         val begun = logs.resolve("begun")
         val command = ". ../build-tools/common.bash; logs='$logs'; mvn() { touch '$begun'; exec sleep 100; }; maven '$logs/build.log'"
         val process = ProcessBuilder("bash", "-c", command).redirectErrorStream(true).start()
-        eventually(30.seconds) { begun.exists() shouldBe true }
+        eventually(60.seconds) { begun.exists() shouldBe true }
         process.destroy()
-        process.waitFor(30, TimeUnit.SECONDS) shouldBe true
+        process.waitFor(60, TimeUnit.SECONDS) shouldBe true
         process.exitValue() shouldBe SIGTERM_STATUS
     }
 

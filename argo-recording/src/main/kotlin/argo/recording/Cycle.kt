@@ -46,8 +46,6 @@ data class Input(
     val percepts: PerceptChange? = null,
     @Holds("whether percept events of several boards took turns")
     val isOfSeveralBoards: Boolean = false,
-    @Holds("the percepts of events that took turns, each with the port of its board")
-    val boards: Map<String, String> = emptyMap(),
     @Holds("percepts that meet critical rules, whose events came first")
     val critical: List<String> = emptyList(),
     @Holds("the messages of other agents that had come")

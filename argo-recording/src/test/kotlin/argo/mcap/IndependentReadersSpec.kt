@@ -28,7 +28,7 @@ private class OtherReader(val name: String, private val program: Path, val comma
         var errors = ""
         val listening = thread { errors = process.errorStream.bufferedReader().readText() }
         val lines = process.inputStream.bufferedReader().readLines()
-        check(process.waitFor(30, TimeUnit.SECONDS)) { "the reader of $name does not end" }
+        check(process.waitFor(60, TimeUnit.SECONDS)) { "the reader of $name does not end" }
         listening.join()
         withClue(errors) { process.exitValue() shouldBe 0 }
         return lines

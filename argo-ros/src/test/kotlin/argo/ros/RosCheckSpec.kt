@@ -15,7 +15,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import picocli.CommandLine
 import java.io.PrintWriter
 import java.io.StringWriter
-import java.net.ServerSocket
+import java.net.Socket
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.writeText
@@ -82,10 +82,12 @@ class RosCheckSpec : FunSpec({
                 err shouldContain "2:17: a/A has no field y; it has x"
             }
         }
-        val free = ServerSocket(0).use { it.localPort }
-        check(MAPPING, "127.0.0.1:$free").let { (status, _, err) ->
-            status shouldBe 1
-            err shouldContain "nothing listens at 127.0.0.1:$free"
+        Socket().use { silent -> // nobody else can listen at its port
+            silent.bind(null)
+            check(MAPPING, "127.0.0.1:${silent.localPort}").let { (status, _, err) ->
+                status shouldBe 1
+                err shouldContain "nothing listens at 127.0.0.1:${silent.localPort}"
+            }
         }
     }
 })

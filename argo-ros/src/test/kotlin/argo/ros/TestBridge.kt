@@ -97,7 +97,7 @@ internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContex
     }
 
     init {
-        check(started.await(20, TimeUnit.SECONDS)) { "the bridge does not start" }
+        check(started.await(60, TimeUnit.SECONDS)) { "the bridge does not start" }
     }
 
     val number: Int get() = server.port

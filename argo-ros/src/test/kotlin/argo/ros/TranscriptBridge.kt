@@ -46,7 +46,7 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
     }
 
     init {
-        check(started.await(20, TimeUnit.SECONDS)) { "the bridge does not start" }
+        check(started.await(60, TimeUnit.SECONDS)) { "the bridge does not start" }
     }
 
     val number: Int get() = server.port

@@ -11,6 +11,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.util.concurrent.atomic.AtomicInteger
@@ -184,6 +185,25 @@ class SeveralBoardsSpec : FunSpec({
                 val before = SlowFilter.perceivedAlone.get()
                 bob.after(2.seconds)
                 SlowFilter.perceivedAlone.get() - before shouldBe 0
+            }
+        }
+
+        test("is perceived again and again, though the agent is too slow for all of them") {
+            val boards = 0 until 4
+            val ports = boards.joinToString { "port(ttyACM$it,[as(b$it),baud(115200),boot(0)])" }
+            val program = "!start.\n+!start <- argo.limit(20); argo.percepts(open); argo.ports([$ports]).\n+B::at(_)."
+            agentOf(program) {
+                cycleTime = 20.milliseconds
+                board("ttyACM${boards.last}").opensAfter(1.seconds)
+            }.use { bob ->
+                for (i in boards) bob.board("ttyACM$i").shows { listOf("at(${it.inWholeMilliseconds})") }
+                bob.after(2.seconds)
+                repeat(10) {
+                    bob.after(100.milliseconds)
+                    val times = bob.beliefs.filter { "::at(" in it }.map { it.substringAfter("at(").substringBefore(')').toInt() }
+                    times.size shouldBe boards.count()
+                    times.max() - times.min() shouldBeLessThan 2 * boards.count() * 20
+                }
             }
         }
 

@@ -76,7 +76,7 @@ class KilledAgentsSpec : FunSpec({
 
     test("agents that are killed go on") { shouldGoOn(1L..4L) }
 
-    test("many kills").config(tags = setOf(NamedTag("Thorough"))) { shouldGoOn(5L..Integer.getInteger("argo.kills", 200) / LIVES) }
+    test("many kills").config(tags = setOf(NamedTag("Thorough"))) { shouldGoOn(5L..Integer.getInteger("argo.kills", 60) / LIVES) }
 })
 
 /** The lives of an agent: each but the first goes on from the one before. */

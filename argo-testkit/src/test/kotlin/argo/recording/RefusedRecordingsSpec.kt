@@ -154,7 +154,7 @@ class RefusedRecordingsSpec : FunSpec({
                 it.log.single { line -> "runs without a recording" in line } shouldContain "jason.planted.unheard"
                 val events = List(3) { byThread(ended.get()) }
                 it.after(3.seconds)
-                eventually(10.seconds) {
+                eventually(60.seconds) {
                     System.gc()
                     events.first().get() shouldBe null
                 }

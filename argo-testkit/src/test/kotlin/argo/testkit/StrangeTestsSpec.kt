@@ -21,7 +21,7 @@ import kotlin.time.Duration.Companion.seconds
 class StrangeTestsSpec : FunSpec({
     /** Returns the threads of agents and boards that have not ended within 20 s. */
     fun threads() = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-") || it.name.startsWith("board") }
-        .onEach { it.join(20_000) }.filter { it.isAlive }
+        .onEach { it.join(60_000) }.filter { it.isAlive }
 
     fun handlers() = Logger.getLogger("").handlers.count { it is AgentLog }
 
@@ -159,9 +159,9 @@ class StrangeTestsSpec : FunSpec({
                 }
             }.exceptionOrNull()
         }
-        check(begun.await(20, TimeUnit.SECONDS)) { "the agent has not started" }
+        check(begun.await(60, TimeUnit.SECONDS)) { "the agent has not started" }
         test.interrupt()
-        test.join(20_000)
+        test.join(60_000)
         check(end is InterruptedException) { "$end" }
         end!!.suppressed.toList().shouldBeEmpty()
         threads().shouldBeEmpty()

@@ -121,6 +121,6 @@ internal class Page(private val driver: ChromeDriver) {
     fun complaints(): String = driver.manage().logs().get("browser").all.joinToString("\n")
 
     private companion object {
-        const val DEADLINE_S = 30L
+        const val DEADLINE_S = 60L
     }
 }

@@ -23,7 +23,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
 /** Until then what a test waits for has happened, on any machine. */
-internal val LIMIT = 20.seconds
+internal val LIMIT = 60.seconds
 
 /** A real Jason in this process, for agents with live views. One at a time. */
 internal class ViewedMas : AutoCloseable {

@@ -1,5 +1,6 @@
 package benchmarks.fleet
 
+import argo.fleet.trial.freePorts
 import benchmarks.Distribution
 import benchmarks.figures
 import java.util.concurrent.TimeUnit
@@ -11,7 +12,7 @@ private val COMPUTERS = listOf("one", "two")
 
 /** Measures the time of agents' messages there and back between two processes, with the fleet and with JADE. */
 internal fun pingPongs(): Boolean {
-    val ports = Project.freePorts(2)
+    val ports = freePorts(2)
     val fleet = pingPong("the fleet", Project.fleetOf(COMPUTERS), "") { listOf("argo.fleet.MainKt", "bench.mas2j", "--at", it) }
     val jade = pingPong("JADE", "Jade", "starting ping") { container(it, ports) }
     return fleet.ms(0.5) <= jade.ms(0.5) && fleet.ms(0.99) <= MAX_MS

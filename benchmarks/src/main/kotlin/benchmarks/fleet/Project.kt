@@ -1,7 +1,7 @@
 package benchmarks.fleet
 
+import argo.fleet.trial.freePorts
 import java.io.File
-import java.net.ServerSocket
 import java.nio.file.Path
 import java.util.spi.ToolProvider
 import kotlin.io.path.createTempDirectory
@@ -72,13 +72,6 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     companion object {
         private const val OUT = "out.txt"
         private const val MAS2J = "bench.mas2j"
-
-        /** This is below the ports of outgoing connections: the system could use such a port before the fleet does. */
-        private const val FIRST_PORT = 21_000
-
-        fun freePorts(count: Int): List<Int> = generateSequence(FIRST_PORT) { it + 1 }.filter(::isFree).take(count).toList()
-
-        private fun isFree(port: Int) = runCatching { ServerSocket(port).close() }.isSuccess
 
         /** Returns the infrastructure of a fleet of [names], all on this computer. */
         fun fleetOf(names: List<String>): String =

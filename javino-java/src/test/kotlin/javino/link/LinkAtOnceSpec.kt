@@ -105,8 +105,9 @@ class LinkAtOnceSpec : FunSpec({
                 sent.get(20, TimeUnit.SECONDS)
             }
             val here = nanos.filter { it != Long.MAX_VALUE }.drop(CALLS / 4).sorted()
+            val (median, most) = listOf(50, 99).map { here.getOrNull(here.size * it / 100) } // a crowded machine may have written none so
             println("measured: $protocol, ${here.size} of ${CALLS * 3 / 4} commands written by who sends them, " +
-                "${here[here.size / 2]} ns from the call to the driver, 99th percentile ${here[here.size * 99 / 100]} ns")
+                "$median ns from the call to the driver, 99th percentile $most ns")
         }
     }
 })

@@ -202,7 +202,7 @@ class LinkThreadsSpec : FunSpec({
                         sender.get()
                         writer.get()
                         for (outcome in outcomes) {
-                            val failure = runCatching { outcome.get(10, TimeUnit.SECONDS) }.exceptionOrNull()
+                            val failure = runCatching { outcome.get(20, TimeUnit.SECONDS) }.exceptionOrNull()
                             if (failure != null) failure.shouldBeInstanceOf<ExecutionException>()
                         }
                     }
@@ -224,7 +224,7 @@ class LinkThreadsSpec : FunSpec({
 
     robot("an interrupted sender throws, and the link stays usable") { board, link ->
         link.request("getPercepts", LONG_MILLIS)
-        board.whenAsked("walk").after(1_500)
+        board.whenAsked("walk").after(3_000) // the sender must be interrupted before
         val failure = CompletableFuture<Throwable?>()
         val sender = thread(isDaemon = true) { failure.complete(runCatching { link.sendAndAwait("walk", LONG_MILLIS) }.exceptionOrNull()) }
         eventually(20.seconds) { board.received() shouldContain "walk" }

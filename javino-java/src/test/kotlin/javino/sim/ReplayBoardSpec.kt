@@ -115,7 +115,7 @@ class ReplayBoardSpec : FunSpec({
     }
 })
 
-private const val LIMIT_MS = 10_000
+private const val LIMIT_MS = 20_000
 
 private fun entry(millis: Long, direction: LineRecording.Direction, message: String) = LineRecording.Entry(millis, direction, message)
 

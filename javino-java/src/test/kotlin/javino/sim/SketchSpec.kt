@@ -17,7 +17,7 @@ import javino.link.Link
 import javino.link.LinkSettings
 import javino.logged
 
-private const val LIMIT_MS = 10_000
+private const val LIMIT_MS = 20_000
 private val SETTINGS = LinkSettings.defaults().withBaud(1_000_000).withBootMillis(0)
 
 /** Shows the percepts that it was given, and keeps the commands that it knows. */

@@ -147,7 +147,7 @@ class TcpPortSpec : FunSpec({
                 val writer =
                     thread(isDaemon = true) { runCatching { repeat(1000) { computer.write(ByteArray(4096), 0, 4096, LONG_MILLIS) } } }
                 shouldThrow<PortTimeoutException> { repeat(1000) { computer.write(ByteArray(4096), 0, 4096, 50) } }
-                async { computer.close() }.get(10, TimeUnit.SECONDS)
+                async { computer.close() }.get(20, TimeUnit.SECONDS)
                 writer.join(TimeUnit.SECONDS.toMillis(20))
                 writer.isAlive shouldBe false
             }

@@ -68,6 +68,9 @@ internal class Fleet private constructor(
 
     companion object {
         private const val PATIENCE_S = 5L
+
+        /** These are below the ports of outgoing connections: the system could use such a port before a computer does. */
+        private val PORTS = 20_000..31_999
         private val FILES = listOf("fleet.mas2j", "coordinator.asl", "scout.asl")
         private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 
@@ -95,9 +98,8 @@ internal class Fleet private constructor(
         private fun source(file: String): String =
             checkNotNull(Fleet::class.java.getResource("/fleet/$file")) { "fleet/$file is not on the class path" }.readText()
 
-        private fun freePorts(count: Int): List<Int> {
-            val sockets = List(count) { ServerSocket(0, 1, InetAddress.getLoopbackAddress()) }
-            return sockets.map { it.localPort }.also { sockets.forEach(ServerSocket::close) }
-        }
+        private fun freePorts(count: Int): List<Int> = PORTS.shuffled().asSequence().filter(::isFree).take(count).toList()
+
+        private fun isFree(port: Int) = runCatching { ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close() }.isSuccess
     }
 }

@@ -57,7 +57,8 @@ private fun stopsTheRobot(
     val project = project(line.computer(), options)
     val log = project.resolve("log").toFile()
     WallBoard(line.board()).use { board ->
-        val process = ProcessBuilder(java.program, "-cp", classPath(jason), "jason.infra.local.RunLocalMAS", "bare.mas2j", "--no-net")
+        val command = arrayOf("-XX:TieredStopAtLevel=1", "-cp", classPath(jason), "jason.infra.local.RunLocalMAS", "bare.mas2j", "--no-net")
+        val process = ProcessBuilder(java.program, *command)
             .directory(project.toFile()).redirectErrorStream(true).redirectOutput(log).start()
         try {
             val stoppedAt = io.kotest.assertions.withClue({ log.readText() }) { board.stoppedAt.get(60, TimeUnit.SECONDS) }

@@ -52,9 +52,12 @@ internal class JarProgram private constructor(private val process: Process) : Au
     companion object {
         private const val LIMIT_S = 120L
 
+        /** A program that ends soon does not pay for an optimizing compiler. */
+        private val java = listOf(thisJava().program, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
+
         /** Starts Java with [arguments] in [folder]. */
         fun start(folder: Path, vararg arguments: String): JarProgram =
-            start(ProcessBuilder(listOf(thisJava().program) + arguments).directory(folder.toAbsolutePath().toFile()))
+            start(ProcessBuilder(java + arguments).directory(folder.toAbsolutePath().toFile()))
 
         /** Runs Java with [arguments] in [folder] to its end. */
         fun run(folder: Path, vararg arguments: String): Ended = start(folder, *arguments).use { it.ended() }

@@ -24,6 +24,6 @@ fun newestJava(): InstalledJava {
 private fun feature(java: String): Int? {
     val process = ProcessBuilder(java, "-version").redirectErrorStream(true).start()
     val text = process.inputStream.bufferedReader().readText()
-    if (!process.waitFor(10, TimeUnit.SECONDS)) process.destroyForcibly()
+    if (!process.waitFor(60, TimeUnit.SECONDS)) process.destroyForcibly()
     return Regex("""version "(\d+)""").find(text)?.groupValues?.get(1)?.toInt()
 }

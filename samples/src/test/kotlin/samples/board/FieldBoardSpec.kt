@@ -91,8 +91,8 @@ class FieldBoardSpec : FunSpec({
             bench.send("getPercepts", "one")
             bench.write("fff") // arrives while the board answers
             bench.receive(207)
-            eventually(20.seconds) { bench.field.restarts shouldBe 1 }
-            eventually(20.seconds) {
+            eventually(60.seconds) { bench.field.restarts shouldBe 1 }
+            eventually(60.seconds) {
                 bench.send("two")
                 bench.commands.poll(200, TimeUnit.MILLISECONDS) shouldBe "two"
             }

@@ -18,6 +18,7 @@ internal fun ifUnoCanBeSimulated(): Enabled =
 
 /** Returns the output of one of the tools. */
 internal fun tool(vararg command: String): String {
-    val process = ProcessBuilder("java", "-jar", System.getProperty("argo.jar"), *command).redirectErrorStream(true).start()
+    val java = listOf("java", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-jar", System.getProperty("argo.jar"))
+    val process = ProcessBuilder(java + command).redirectErrorStream(true).start()
     return process.inputStream.readBytes().decodeToString().also { process.waitFor() }
 }

@@ -11,48 +11,46 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import kotlin.io.path.Path
 import kotlin.random.Random
 import kotlin.time.Duration
-import kotlin.time.Duration.Companion.hours
-import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
 
 class GreenhouseSpec : FunSpec({
-    fun gardener(minute: Duration = 1.minutes) = agent(Path("greenhouse/gardener.asl")) {
-        options("beliefs" to "board(ttyACM0), minute(${minute.inWholeMilliseconds})")
+    fun gardener() = agent(Path("greenhouse/gardener.asl")) {
+        options("beliefs" to "board(ttyACM0), minute(${MINUTE.inWholeMilliseconds})")
         board("ttyACM0").version2().knows("set/2").shows("temp(20)", "soil(40)", "light(500)", "state(pump,off)", "state(vent,closed)")
     }
 
-    fun TestAgent.senses(vararg percepts: String) = perceives(*percepts, within = 3.minutes)
+    fun TestAgent.senses(vararg percepts: String) = perceives(*percepts, within = MINUTE * 3)
 
     test("it waters while the soil is dry, and neither more nor less between the two edges") {
         gardener().use { gardener ->
-            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
-            gardener.senses("soil(44)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = 20.minutes)
-            gardener.senses("soil(46)", "light(500)", "state(pump,on)").shouldSend("set(pump,off)", within = 3.minutes)
-            gardener.senses("soil(31)", "light(500)", "state(pump,off)").shouldNotSend("set(pump,on)", during = 20.minutes)
+            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = MINUTE * 3)
+            gardener.senses("soil(44)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = MINUTE * 20)
+            gardener.senses("soil(46)", "light(500)", "state(pump,on)").shouldSend("set(pump,off)", within = MINUTE * 3)
+            gardener.senses("soil(31)", "light(500)", "state(pump,off)").shouldNotSend("set(pump,on)", during = MINUTE * 20)
         }
     }
 
     test("a device that was switched rests, and is looked at again when the rest is over") {
         gardener().use { gardener ->
-            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
-            gardener.senses("soil(60)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = 2.minutes)
-            gardener.shouldSend("set(pump,off)", within = 3.minutes)
+            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = MINUTE * 3)
+            gardener.senses("soil(60)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = MINUTE * 2)
+            gardener.shouldSend("set(pump,off)", within = MINUTE * 3)
         }
     }
 
     test("it does not water at night") {
         gardener().use { gardener ->
-            gardener.senses("soil(10)", "light(5)", "state(pump,off)").shouldNotSend("set(pump,on)", during = 1.hours)
-            gardener.senses("soil(10)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
+            gardener.senses("soil(10)", "light(5)", "state(pump,off)").shouldNotSend("set(pump,on)", during = MINUTE * 60)
+            gardener.senses("soil(10)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = MINUTE * 3)
         }
     }
 
     test("the operator's order counts until it is taken back, and nobody else's does") {
         gardener().use { gardener ->
             gardener.hears("stranger", "achieve", "order(vent,open)").shouldPrint("stranger may not order vent open")
-            gardener.hears("operator", "achieve", "order(vent,open)").shouldSend("set(vent,open)", within = 3.minutes)
-            gardener.senses("temp(10)", "state(vent,open)").shouldNotSend("set(vent,closed)", during = 1.hours)
-            gardener.hears("operator", "achieve", "order(vent,automatic)").shouldSend("set(vent,closed)", within = 3.minutes)
+            gardener.hears("operator", "achieve", "order(vent,open)").shouldSend("set(vent,open)", within = MINUTE * 3)
+            gardener.senses("temp(10)", "state(vent,open)").shouldNotSend("set(vent,closed)", during = MINUTE * 60)
+            gardener.hears("operator", "achieve", "order(vent,automatic)").shouldSend("set(vent,closed)", within = MINUTE * 3)
         }
     }
 
@@ -60,12 +58,12 @@ class GreenhouseSpec : FunSpec({
         gardener().use { gardener ->
             gardener.senses("soil(29)", "light(500)", "state(pump,on)")
             gardener.board.ignoresRequests()
-            gardener.shouldSend("set(pump,off)", within = 4.minutes)
+            gardener.shouldSend("set(pump,off)", within = MINUTE * 4)
         }
     }
 
     test("a day: no device is switched before it has rested, none at night, and it never gets hot or dry").config(tags = thorough) {
-        gardener(MINUTE).use { gardener ->
+        gardener().use { gardener ->
             val day = Day(gardener)
             day.passes()
             day.switches("pump").shouldNotBeEmpty()
@@ -79,7 +77,7 @@ class GreenhouseSpec : FunSpec({
     }
 })
 
-/** The length of a minute of the day. A day of shorter ones takes less, since lines and timers have less to do. */
+/** The length of a minute of the gardener. Shorter ones take less, since lines and timers have less to do. */
 private val MINUTE = 6.seconds
 
 private val thorough = setOf(NamedTag("Thorough"))

@@ -15,10 +15,12 @@ import jason.asSyntax.parser.as2j
 import jason.util.Config
 import java.io.StringReader
 import java.nio.file.FileSystems
-import java.nio.file.Files
+import java.nio.file.FileVisitResult
 import java.nio.file.Path
 import java.util.logging.LogManager
+import kotlin.io.path.name
 import kotlin.io.path.readText
+import kotlin.io.path.visitFileTree
 import kotlin.random.Random
 
 class JasonParitySpec : FunSpec({
@@ -34,9 +36,12 @@ class JasonParitySpec : FunSpec({
         "$refused"
     }
 
-    fun programsBelow(folder: Path): Map<String, String> = Files.walk(folder).use { files ->
-        files.filter { "$it".endsWith(".asl") &&
-            !it.contains(Path.of("target")) }.toList().associate { "$it" to it.readText(Charsets.UTF_8) }
+    /** Leaves out the folders of builds, in which files come and go meanwhile. */
+    fun programsBelow(folder: Path): Map<String, String> = buildMap {
+        folder.visitFileTree {
+            onPreVisitDirectory { one, _ -> if (one.name in BUILDS) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE }
+            onVisitFile { one, _ -> FileVisitResult.CONTINUE.also { if (one.name.endsWith(".asl")) put("$one", one.readText()) } }
+        }
     }
 
     fun mustReadWhatJasonReads(programs: Map<String, String>) {
@@ -127,4 +132,5 @@ private const val SLIPS = 2_000
 private const val MOST_IN_1000 = 5
 
 /** A folder with programs of others; there is none unless `-DargLine=-Dargo.corpus=…` names it. */
+private val BUILDS = setOf("target", "build")
 private val CORPUS: String? = System.getProperty("argo.corpus")

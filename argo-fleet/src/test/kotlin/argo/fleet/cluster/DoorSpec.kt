@@ -33,7 +33,7 @@ private class TestDoor(entrance: Entrance) : AutoCloseable {
         }
     }
 
-    fun toldNext(): String = told.poll(10, TimeUnit.SECONDS) ?: error("nothing was told")
+    fun toldNext(): String = told.poll(60, TimeUnit.SECONDS) ?: error("nothing was told")
 
     fun stranger(vararg bytes: Byte): ByteArray = Socket(address.address, address.port).use {
         it.getOutputStream().run {
@@ -61,7 +61,7 @@ class DoorSpec : FunSpec({
     test("a computer of the fleet is let in, and bytes go both ways") {
         TestDoor(entrance(settings("base"))).use { door ->
             door.greet(entrance(settings("scout"))).use { socket ->
-                val other = door.admitted.poll(10, TimeUnit.SECONDS)!!
+                val other = door.admitted.poll(60, TimeUnit.SECONDS)!!
                 socket.getOutputStream().write(42)
                 other.getInputStream().read() shouldBe 42
                 other.getOutputStream().write(43)
@@ -92,7 +92,7 @@ class DoorSpec : FunSpec({
     test("where no hosts are named, any computer of the fleet is let in") {
         TestDoor(entrance(settings("base", of = mapOf()))).use { door ->
             door.greet(entrance(settings("anybody", of = mapOf()))).close()
-            door.admitted.poll(10, TimeUnit.SECONDS)!!.close()
+            door.admitted.poll(60, TimeUnit.SECONDS)!!.close()
         }
     }
 
@@ -139,7 +139,7 @@ class DoorSpec : FunSpec({
         TestDoor(entrance(settings("base"), base)).use { door ->
             val scout = FleetCertificates(made.of("scout", "base", "scout"))
             door.greet(entrance(settings("scout"), scout)).use { socket ->
-                val other = door.admitted.poll(10, TimeUnit.SECONDS)!!
+                val other = door.admitted.poll(60, TimeUnit.SECONDS)!!
                 socket.getOutputStream().write("secret".toByteArray())
                 String(other.getInputStream().readNBytes(6)) shouldBe "secret"
             }

@@ -1,5 +1,6 @@
 package argo.fleet.cluster
 
+import argo.fleet.trial.freePorts
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -9,7 +10,6 @@ import org.jgroups.ObjectMessage
 import org.jgroups.util.Util
 import java.io.Serializable
 import java.net.InetSocketAddress
-import java.net.ServerSocket
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.logging.Handler
 import java.util.logging.LogRecord
@@ -17,13 +17,13 @@ import java.util.logging.Logger
 
 /** Computers on the loopback interface, each with sockets of its own; without [areNamed] they have to find each other. */
 private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld {
-    private val addresses = listOf("a", "b", "c").associateWith { loopback() }
+    private val addresses = listOf("a", "b", "c").zip(freePorts(3).map(::loopback)).toMap()
     private val running = mutableListOf<Triple<String, JGroupsGroup, Cluster>>()
 
-    private fun loopback() = ServerSocket(0).use { InetSocketAddress("127.0.0.1", it.localPort) }
+    private fun loopback(port: Int) = InetSocketAddress("127.0.0.1", port)
 
     override fun start(name: String): Cluster {
-        val bind = if (running.none { it.first == name }) addresses.getValue(name) else loopback()
+        val bind = if (running.none { it.first == name }) addresses.getValue(name) else loopback(freePorts(1).single())
         val group = JGroupsGroup(ClusterSettings("garden", name, if (areNamed) addresses else emptyMap(), bind))
         return GroupCluster(group, addresses.keys, ThreadLoop(name)).also { running += Triple(name, group, it) }
     }

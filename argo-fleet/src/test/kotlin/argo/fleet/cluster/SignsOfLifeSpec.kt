@@ -66,7 +66,7 @@ class SignsOfLifeSpec : FunSpec({
     suspend fun missed(gone: IntRange) = Members(14).use { members ->
         val rest = (0..13) - gone
         members.unplug(gone)
-        eventually(20.seconds) {
+        eventually(60.seconds) {
             rest.map { members.views()[it].map(String::toInt).sorted() }.distinct().shouldContainExactly(listOf(rest))
         }
     }

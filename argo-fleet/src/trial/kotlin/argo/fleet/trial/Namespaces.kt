@@ -70,7 +70,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
         private fun run(arguments: String): String {
             val process = ProcessBuilder(listOf("ip") + arguments.split(' ')).redirectErrorStream(true).start()
             val said = String(process.inputStream.readAllBytes())
-            check(process.waitFor(10, TimeUnit.SECONDS)) { "ip $arguments does not end" }
+            check(process.waitFor(60, TimeUnit.SECONDS)) { "ip $arguments does not end" }
             return if (process.exitValue() == 0) "" else said.ifBlank { "exit ${process.exitValue()}" }
         }
     }

@@ -51,6 +51,7 @@ class Trial(
     }
 
     private val folder = createTempDirectory("argo-fleet-trial")
+    private val ports = freePorts(names.size)
     private val nodes = LinkedHashMap<String, Node>()
     private val gone = mutableListOf<Node>()
     private val crashes = mutableListOf<Event>()
@@ -61,7 +62,7 @@ class Trial(
         "-cp", System.getProperty("java.class.path"), "argo.fleet.trial.TrialNodeKt",
     )
 
-    private fun address(name: String) = network?.let { "${it.address(name)}:$PORT" } ?: "127.0.0.1:${LOOPBACK_PORT + names.indexOf(name)}"
+    private fun address(name: String) = network?.let { "${it.address(name)}:$PORT" } ?: "127.0.0.1:${ports[names.indexOf(name)]}"
 
     /** The names of the computers whose processes run. */
     val running: Set<String> get() = nodes.keys
@@ -134,7 +135,6 @@ class Trial(
 
     private companion object {
         const val PORT = 4711
-        const val LOOPBACK_PORT = 24_711
         const val PAUSE_MILLIS = 100L
         const val VIEW_S = 60L
         const val END_S = 120L

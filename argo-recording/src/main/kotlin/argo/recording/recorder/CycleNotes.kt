@@ -29,7 +29,6 @@ internal class CycleNotes(val ns: Long) {
     var percepts: PerceptNote? = null
     var isOfSeveralBoards = false
     var critical: List<String> = emptyList()
-    val boards = LinkedHashMap<String, String>()
     val mail = ArrayList<Mail>()
     val ends = ArrayList<End>()
     val sleep = StringBuilder()
@@ -66,7 +65,7 @@ internal class CycleNotes(val ns: Long) {
 
     /** Returns the agent's input. Call this after the cycle. */
     fun input() = Input(
-        events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
+        events, snapshots, percepts?.change(), isOfSeveralBoards, critical,
         mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders, isHeld,
     )
 }

@@ -261,9 +261,6 @@ internal class Recorder(
 
     override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::literalText) }
 
-    override fun boardOf(percept: Literal, live: () -> String?) =
-        live().also { board -> if (board != null) current()?.now?.boards?.put(literalText(percept), board) }
-
     override fun takeMail(live: () -> Unit) {
         val agent = current() ?: return live()
         val before = agent.ts.c.mailBox.size

@@ -45,9 +45,6 @@ internal interface Answers {
 
     fun carryOut(cycle: Cycle)
 
-    /** Returns the port from which [percept] came; null: from none. [percept] is a text of [argo.recording.agent.literalText]. */
-    fun boardOf(percept: String): String?
-
     /** Returns the result of [call]. [live] carries the call out. */
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 

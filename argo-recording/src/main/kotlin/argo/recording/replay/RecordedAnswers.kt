@@ -66,8 +66,6 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
     }
 
-    override fun boardOf(percept: String) = cycle.input.boards[percept]
-
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val recorded = take(call.name, call.args)
         if (code == WatchedKind.SENDING) return send(recorded, call, live) { suspending(recorded, it) }

@@ -25,7 +25,6 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
-import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
 import argo.recording.agent.orderOf
 import argo.recording.agent.triggerOf
@@ -134,8 +133,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     override fun newlyCritical(live: () -> List<Literal>) = senses.takeNewlyCritical()
-
-    override fun boardOf(percept: Literal, live: () -> String?) = answers.boardOf(literalText(percept))
 
     override fun takeMail(live: () -> Unit) {
         cycle.input.mail.forEach { mail -> reading("message of ${mail.sender}") { messageOf(mail) }?.let(ts.c::addMsg) }

@@ -33,7 +33,6 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
     private val left = ConcurrentLinkedQueue<Runnable>()
     private val unanswered = ArrayList<Mail>() // recorded messages that the agent has not sent so far
-    private val boards = HashMap<String, String>()
     private val random = Random(0)
     private val usualNs = usualNs ?: recorded.usualNs
     private var begun = 0
@@ -70,7 +69,6 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     override fun next(cycle: Cycle) {
         this.cycle = cycle
         unanswered += cycle.course.mail
-        boards += cycle.input.boards
     }
 
     fun ended(now: Course) {
@@ -87,8 +85,6 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     }
 
     private fun isDue(one: Due) = if (one.index != null) one.index <= cycle.index else one.ns <= cycle.ns
-
-    override fun boardOf(percept: String): String? = boards[percept]
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         if (code.isOfProject && isCarryingOut) return live(call.un)

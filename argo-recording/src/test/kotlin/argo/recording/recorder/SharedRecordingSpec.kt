@@ -32,7 +32,7 @@ class SharedRecordingSpec : FunSpec({
         val recording = SharedRecording.join("last(1)", log)
         val folder = tempdir().toPath().resolve("gone")
         recording.save(folder)
-        lines.poll(20, TimeUnit.SECONDS).shouldNotBeNull().run {
+        lines.poll(60, TimeUnit.SECONDS).shouldNotBeNull().run {
             this shouldStartWith "the last minutes cannot be written to $folder"
             this shouldContain "NoSuchFileException"
         }

@@ -342,7 +342,7 @@ class BoardCommandsSpec : FunSpec({
                 val said = CompletableFuture<Output>()
                 command.set(Thread { said.complete(argo("describe", port, "$file", "--protocol", "1")) })
                 command.get().start()
-                said.get(30, TimeUnit.SECONDS).status shouldBe if (written) 0 else 1
+                said.get(60, TimeUnit.SECONDS).status shouldBe if (written) 0 else 1
                 if (written) said.get().out shouldContain "it was interrupted after "
                 else said.get().err shouldContain "nothing was written to $file"
                 file.exists() shouldBe written

@@ -72,9 +72,9 @@ private const val TERMINATED = 128 + 15
 
 /** Runs a tool in a process of its own, which has ended behind this. */
 private fun tool(vararg arguments: String, use: (Process, BufferedReader) -> Unit) {
-    val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-    val command = listOf(java, "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt") + arguments
-    val process = ProcessBuilder(command).redirectErrorStream(true).start()
+    val java = listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
+    val program = java + listOf("-cp", System.getProperty("java.class.path"), "argo.tools.MainKt")
+    val process = ProcessBuilder(program + arguments).redirectErrorStream(true).start()
     try {
         process.inputReader().use { use(process, it) }
     } finally {
