@@ -63,9 +63,12 @@ internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> 
     }
 }
 
-/** Returns the program of an agent that senses the board at [port] every [intervalMs], with [plans] as its further plans. */
-internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "") =
-    "!start.\n+!start <- argo.port(\"$port\", [baud($baud)]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
+/**
+ * Returns the program of an agent that senses the board at [port] every [intervalMs], with [plans] as its further plans. [options] are
+ * further options of the port, each behind a comma.
+ */
+internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "", options: String = "") =
+    "!start.\n+!start <- argo.port(\"$port\", [baud($baud)$options]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 
 /** Waits until [condition] holds, at most [seconds] s. Returns true if [condition] holds. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {

@@ -6,9 +6,9 @@ import java.util.concurrent.atomic.AtomicLong
 /**
  * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses. The share is the number of requests a second,
  * multiplied by the time that a request and its answer take on the line. The board answers at once, with twelve percepts. The line is in
- * memory, and each byte takes its real time on it.
+ * memory, and each byte takes its real time on it. [options] are further options of the port, each behind a comma.
  */
-internal fun lineUse(baud: Int, protocol: Protocol): Double {
+internal fun lineUse(baud: Int, protocol: Protocol, options: String = ""): Double {
     val bytes = AtomicLong()
     val latestNanos = AtomicLong()
     val board = SensorBoard(
@@ -19,7 +19,7 @@ internal fun lineUse(baud: Int, protocol: Protocol): Double {
         },
     )
     return withAgents(mapOf("line" to board)) { agents ->
-        agents.start("senses", sensing("sim:line", baud, intervalMs = 0))
+        agents.start("senses", sensing("sim:line", baud, intervalMs = 0, options = options))
         Thread.sleep(WARM_UP_MS)
         val firstNanos = latestNanos.get()
         val before = bytes.get()

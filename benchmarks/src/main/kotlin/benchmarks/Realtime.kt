@@ -37,11 +37,12 @@ private fun showLatencies(table: Table) = measureLatencies().forEach { (course, 
 }
 
 private fun showLineUse(table: Table) {
-    for ((baud, target) in listOf(9600 to 95, 115_200 to 95, 1_000_000 to 80)) for (protocol in listOf(Protocol.V1, Protocol.AUTO)) {
-        val version = if (protocol == Protocol.V1) 1 else 2
-        table.show(
-            "line use at $baud baud, version $version, argo.limit(0)", 100 * lineUse(baud, protocol), "%", "at least $target",
-        )
+    for ((baud, target) in listOf(9600 to 95, 115_200 to 95, 1_000_000 to 80)) {
+        fun show(what: String, share: Double) =
+            table.show("line use at $baud baud, $what, argo.limit(0)", 100 * share, "%", "at least $target")
+        show("version 1", lineUse(baud, Protocol.V1))
+        show("version 1, spacing(0)", lineUse(baud, Protocol.V1, ", spacing(0)"))
+        show("version 2", lineUse(baud, Protocol.AUTO))
     }
 }
 
