@@ -375,12 +375,18 @@ def another_rate_is_heard_as_on_a_wire():
             equal(board.line.messages(1.0), [])
             set_rate(board.line, rate)
             board.line.ready()
-            board.line.write(frame1(b"stall(600)") + frame1(b"getPercepts"))
-            time.sleep(0.2)
-            set_rate(board.line, wrong)  # so the answer is misheard
-            equal(board.line.messages(2.0), [])
-            set_rate(board.line, rate)
-            board.line.ready()
+            while True:
+                begin = time.monotonic()
+                board.line.write(frame1(b"stall(1500)") + frame1(b"getPercepts"))
+                time.sleep(0.2)
+                set_rate(board.line, wrong)  # so the answer is misheard
+                in_time = time.monotonic() - begin < 1.0  # else the machine was halted, and the answer may have come before
+                heard = board.line.messages(3.0)
+                set_rate(board.line, rate)
+                board.line.ready()
+                if in_time or not heard:
+                    break
+            equal(heard, [])
 
 
 def rate_of_the_sketch(name):
@@ -561,6 +567,9 @@ def carried_out(board):
     return duties
 
 
+LEAST = 100  # actions on a damaged line, however long a busy machine takes for them
+
+
 def on_a_damaged_line(version, run):
     rng, damaged = random.Random(8), [0]
     with Board("Echo") as board:
@@ -582,7 +591,7 @@ def version_2_carries_out_every_command_once_on_a_damaged_line():
     def run(board, actions, end):
         session = Session(board.line, patience=0.06)
         sent, expected, duties = 0, [], []
-        while time.monotonic() < end:
+        while time.monotonic() < end or sent <= LEAST:
             row = [next(actions) for _ in range(1 + sent % 4)]
             equal((session.send(*row), session.refused), (len(row), False))
             expected += [duty_of(text) for text in row]
@@ -593,7 +602,6 @@ def version_2_carries_out_every_command_once_on_a_damaged_line():
             duties += carried_out(board)
         time.sleep(0.1)
         duties += carried_out(board)
-        check(sent > 100, f"only {sent} commands in the time")
         equal(duties, expected)
         return f"{sent} commands, frames sent again {session.repeated} times, each carried out once, in order, no other one"
     on_a_damaged_line(2, run)
@@ -630,7 +638,7 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
         intact = []
         request = frame1(b"getPercepts")
         damage, board.line.damage = board.line.damage, lambda data: data
-        while time.monotonic() < end:
+        while time.monotonic() < end or sent <= LEAST:
             text = next(actions)
             frame = frame1(text.encode())
             arrives = damage(frame)
@@ -638,10 +646,11 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
             damaged += arrives != frame
             # The request that follows at once is intact: the board has to be back in step.
             board.line.write(arrives + request)
-            answer = board.line.answer_bytes(3.0)
+            is_swallowed = reads_as_an_intact_stream(arrives + request)
+            answer = board.line.answer_bytes(3.0 if is_swallowed else PATIENCE)
             if answer:
                 answered += 1
-            elif reads_as_an_intact_stream(arrives + request):
+            elif is_swallowed:
                 swallowed += 1
             else:
                 lost += 1
@@ -655,7 +664,6 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
                 lengths = {len(t) for t in ("led", "ledOn", "stop", "speed(%s)" % act[4:]) if duty_of(t) == act}
                 wrong_length += len(text) not in lengths
                 other += act != duty_of(text)
-        check(sent > 100, f"only {sent} actions in the time")
         # An answer that follows a damaged one at once may be read only when the line has been silent.
         board.line.decoder1.idle(time.monotonic() * 1000 + 101)
         read = set(board.line.decoder1.messages)

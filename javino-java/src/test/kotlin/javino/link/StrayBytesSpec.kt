@@ -10,18 +10,22 @@ import javino.Protocol
 import javino.failure
 import javino.sim.FakeBoard
 
+/** Requests that stay without an answer wait so long, which is more than a busy machine halts a test. */
+private const val SILENT_MS = 500
+private const val LIMIT_MS = 20_000
+
 class StrayBytesSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withBootMillis(0)
 
     /** The error of a link whose board answers requests with these bytes. */
-    fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", 50) }): String =
+    fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", SILENT_MS) }): String =
         FakeBoard.plugIn("stray").lenient().use { board ->
             board.whenAsked("getPercepts").answerRaw(answer)
             Link.open(board.port(), settings, "the test").use { link -> shouldThrow<PortTimeoutException> { ask(link) }.message.orEmpty() }
         }
 
     test("text in place of a message is shown, with Serial.print as its likely cause") {
-        failure("dist(f,30);\r\n") shouldEndWith "within 50 ms; 13 bytes came since the last message and are no message: " +
+        failure("dist(f,30);\r\n") shouldEndWith "within $SILENT_MS ms; 13 bytes came since the last message and are no message: " +
             "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print in place of the Javino library?"
     }
 
@@ -41,8 +45,9 @@ class StrayBytesSpec : FunSpec({
         FakeBoard.plugIn("stray").lenient().version2().use { board ->
             board.whenAsked("ping")
             Link.open(board.port(), settings.withProtocol(Protocol.V2), "the test").use { link ->
-                shouldThrow<PortTimeoutException> { link.request("ping", 50) }.message shouldBe "port ${board.port()} gave no answer to " +
-                    "\"ping\" within 50 ms; the board has taken it as a command: does the sketch send a message behind it?"
+                shouldThrow<PortTimeoutException> { link.request("ping", SILENT_MS) }.message shouldBe
+                    "port ${board.port()} gave no answer to \"ping\" within $SILENT_MS ms; the board has taken it as a command: " +
+                    "does the sketch send a message behind it?"
             }
         }
     }
@@ -54,22 +59,22 @@ class StrayBytesSpec : FunSpec({
 
     test("who listens is told as well") {
         failure("ready\r\n") { link ->
-            runCatching { link.request("getPercepts", 50) }
-            link.listen(50)
-        } shouldContain "sent no message within 50 ms; 7 bytes came"
+            runCatching { link.request("getPercepts", SILENT_MS) }
+            link.listen(SILENT_MS)
+        } shouldContain "sent no message within $SILENT_MS ms; 7 bytes came"
     }
 
     test("a message ends the count, and the first bytes stand for many") {
         FakeBoard.plugIn("stray").lenient().use { board ->
             board.whenAsked("getPercepts").answer("a;")
             Link.open(board.port(), settings, "the test").use { link ->
-                link.request("getPercepts", 500)
+                link.request("getPercepts", LIMIT_MS)
                 link.strayBytes().count() shouldBe 0
                 board.noise(*"x".repeat(60).toByteArray())
-                repeat(10) { link.watch(20) }
+                while (link.strayBytes().count() < 60) link.watch(20)
                 link.strayBytes() shouldBe StrayBytes(60, "x".repeat(StrayBytes.MAX_FIRST), 9600)
                 link.strayBytes().inWords() shouldContain "60 bytes came since the last message and are no message: \"xxx"
-                link.request("getPercepts", 500)
+                link.request("getPercepts", LIMIT_MS)
                 link.strayBytes().count() shouldBe 0
             }
         }

@@ -47,8 +47,10 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
     private var secured: SSLSocket? = null
     private var other: String? = null // the computer at the other end, once it has proved its name
 
-    override fun getInputStream(): InputStream =
-        (secured?.inputStream ?: super.getInputStream()).let { stream -> other?.let { Origin.stream(it, stream.buffered(BUFFER)) } ?: stream }
+    override fun getInputStream(): InputStream {
+        val stream = secured?.inputStream ?: super.getInputStream()
+        return other?.let { Origin.stream(it, stream.buffered(BUFFER)) } ?: stream
+    }
 
     override fun getOutputStream(): OutputStream = secured?.outputStream ?: super.getOutputStream()
 
