@@ -98,34 +98,27 @@ class LeasesSpec : FunSpec({
         }
     }
 
-    test("an agent for which the machine has no thread left is given up, and the log tells when it is tried again") {
+    suspend fun shouldGiveUp(agentClass: String, program: String, reason: String) {
         val isUnable = AtomicBoolean()
-        OneComputer("m agentClass argo.fleet.ThreadlessAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
+        OneComputer("m agentClass argo.fleet.$agentClass at \"base, scout1\";", "m" to program).use { base ->
             base.cluster.answer = { one ->
                 one.end.complete(null)
                 if ((one.message as? RosterNews)?.unable == setOf("m")) isUnable.set(true)
                 (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")
-            base.shouldLog("m cannot run here: unable to create native thread; if no other computer runs it")
+            base.shouldLog("m cannot run here: $reason; if no other computer runs it")
             isUnable.get() shouldBe true
             eventually(20.seconds) { base.believed("m") shouldBe emptyList() }
         }
     }
 
+    test("an agent for which the machine has no thread left is given up, and the log tells when it is tried again") {
+        shouldGiveUp("ThreadlessAgent", "place(north).", "unable to create native thread")
+    }
+
     test("an agent whose thread ends with an error is given up, so that the next computer runs it") {
-        val isUnable = AtomicBoolean()
-        OneComputer("m agentClass argo.fleet.FailingAgent at \"base, scout1\";", "m" to "!go. +!go.").use { base ->
-            base.cluster.answer = { one ->
-                one.end.complete(null)
-                if ((one.message as? RosterNews)?.unable == setOf("m")) isUnable.set(true)
-                (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
-            }
-            base.cluster.view("scout1" to "1", "scout2" to "1")
-            base.shouldLog("m cannot run here: it needs a class that is not there; if no other computer runs it")
-            isUnable.get() shouldBe true
-            eventually(60.seconds) { base.believed("m") shouldBe emptyList() }
-        }
+        shouldGiveUp("FailingAgent", "!go. +!go.", "it needs a class that is not there")
     }
 
     test("an agent that could not be started is tried again, and the same reason is told once") {
