@@ -35,7 +35,7 @@ public record StrayBytes(long count, String first, int baud) {
             return "which is no text: does the board run at another rate than " + baud + " baud?";
         }
         if (first.contains(HEADER) || first.matches("f+")) {
-            return "the beginning of a message whose rest did not come: are bytes lost, or is the time for an answer too short?";
+            return "a message that is not whole or came with a pause in it: are bytes lost, or is the time for an answer too short?";
         }
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }

@@ -37,7 +37,7 @@ class StrayBytesSpec : FunSpec({
     test("a message that does not end is told from text, however much of it came") {
         for (begun in listOf("f", "fff", "fffe", "fffe20dist(f,30);")) {
             failure(begun) shouldContain
-                "\"$begun\", the beginning of a message whose rest did not come: are bytes lost, or is the time for an answer too short?"
+                "\"$begun\", a message that is not whole or came with a pause in it: are bytes lost, or is the time for an answer too short?"
         }
     }
 
