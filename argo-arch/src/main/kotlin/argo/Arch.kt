@@ -38,19 +38,23 @@ import java.util.logging.Logger
  *
  *     agents: robot agentArchClass argo.Arch;
  *
- * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. These are the architecture's options.
- * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` decides when the agent gets snapshots of the sensors. `argo_percepts=4096`
- * limits the percepts of a board that are believed at once. `argo_safe=stop` is the command that makes boards safe before the agent is
- * paused, see [argo.observing.Pausing]. `argo_resume="robot.state"` names the file that keeps the agent's state for its next run. Other
- * options belong to observers, such as `argo_view=8080` to the live view.
+ * The agents of the project use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`.
+ *
+ * The architecture has these options:
+ * - `[argo_sensing=fresh]` (the default), `every` or `in_cycle` decides when the agent gets snapshots of the sensors
+ * - `argo_percepts=4096` limits the percepts of one board that are believed at once
+ * - `argo_safe=stop` is the command that makes boards safe before the agent is paused, see [argo.observing.Pausing]
+ * - `argo_resume="robot.state"` names the file that keeps the agent's state for its next run
+ *
+ * Other options, such as `argo_view=8080` of the live view, belong to observers.
  *
  * The architecture follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
- * Programming", EMAS 2016. No reasoning cycle waits for a board, except under `in_cycle`, which exists for comparison.
+ * Programming", EMAS 2016. A reasoning cycle waits for a board only under `in_cycle`, which exists for comparison.
  *
- * Jason calls the methods of [AgArch]; a project has no reason to call any.
+ * Jason calls the methods of [AgArch]; projects do not call them.
  *
- * @param platform the agent's time, threads and ports; by default, as when Jason constructs an architecture, those of the machine
+ * @param platform the agent's time, threads and ports; the default is the machine's own platform
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
@@ -58,7 +62,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // the boundary gets these functions in each cycle; they are made only once
+    // the boundary gets these functions in each cycle; making them once saves time
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
@@ -72,40 +76,40 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         resuming?.ordered()
     }
 
-    /** The agent's boards. Available from [init] on. */
+    /** Available from [init] on. */
     internal lateinit var boards: AgentBoards
         private set
     internal val perception by lazy { AgentPerception(boards) }
     internal val commands by lazy { CommandRouter(boards) }
     internal val awaited = AwaitedWork()
 
-    /** Receives the orders that a person gives to the agent. Available from [init] on. */
+    /** Receives a person's orders to the agent. Available from [init] on. */
     internal lateinit var hand: Hand
         private set
 
-    /** What observers ask the agent to do, in its next cycle or while it is paused. Available from [init] on. */
+    /** Holds the requests of observers to the agent. Available from [init] on. */
     internal lateinit var requests: CompletionInbox<() -> Unit>
         private set
 
-    /** Reads the program anew. Available from [init] on. */
+    /** Available from [init] on. */
     internal lateinit var reloading: Reloading
         private set
 
     internal lateinit var policy: SensingPolicy
         private set
 
-    /** The agent's pauses. Available from [init] on. */
+    /** Available from [init] on. */
     internal lateinit var pausing: AgentPausing
         private set
-    private var isBeginning = false // only the agent's thread uses this and the next property
+    private var isBeginning = false // only the agent's thread uses isBeginning and hasBegunCycle
     private var hasBegunCycle = false
 
-    /** The boundary through which all inputs reach the agent. Any thread may ask. */
+    /** The boundary through which all inputs reach the agent. Any thread may read it. */
     @Volatile
     internal var boundary: Boundary = Live
         private set
 
-    /** The agent for its observers. Available from [init] on. Any thread may ask. */
+    /** The agent, as its observers see it. Available from [init] on. Any thread may read it. */
     lateinit var observed: ObservedAgent
         private set
 
@@ -114,7 +118,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     @Volatile
     private var observing = Observers(emptyList(), Logger.getLogger(Arch::class.java.name), platform.clock::nanos)
 
-    /** The agent's observers, such as its live view. Available from [init] on. Any thread may ask. */
+    /** The agent's observers, such as its live view. Available from [init] on. Any thread may read them. */
     val observers: List<AgentObserver> get() = observing.observers
 
     override fun init() {
@@ -154,10 +158,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun doRequests() = requests.takeAll().forEach { it() }
 
-    /** Returns true if events may stay in Jason's queue: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
+    /** Returns true if events may stay in Jason's queue. An atomic plan holds back all events; `events=requeue` may put events back. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
-    /** Uses [filter] from the next perception on; null: no filter. Called by the agent's thread. */
+    /**
+     * Uses [filter] from the next perception on. If [filter] is null, the agent perceives without a filter. Called by the agent's thread.
+     */
     internal fun perceiveThrough(filter: PerceptionFilter?) {
         boards.perceiveThrough(filter)
         environment.switchTo(filter)
@@ -178,7 +184,6 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleStarting()
     }
 
-    /** Tells the boundary that a cycle begins, once for each cycle. Then carries out the orders that have come. */
     private fun beginCycle() {
         if (!hasBegunCycle) boundary.cycleStarting(ts)
         hasBegunCycle = true
@@ -186,15 +191,15 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Carries out the requests that have come while the agent is paused; called by the agent's thread. If the agent is paused between two
-     * cycles, orders or requests begin its next cycle. If the agent is paused within a cycle, orders wait.
+     * Carries out the requests of observers while the agent is paused. Called by the agent's thread. If the agent is paused between two
+     * cycles, waiting orders or requests begin the next cycle. If the agent is paused within a cycle, orders wait.
      */
     private fun takeOrders() {
         if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
         doRequests()
     }
 
-    /** Returns all percepts if boards, ports or the Jason environment have news since the last call; else null. */
+    /** Returns all percepts. Returns null if neither boards, ports nor the Jason environment have news since the last call. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
@@ -245,7 +250,6 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleFinished()
     }
 
-    /** Closes all ports and ends all threads. Does not wait for bytes on a line. */
     override fun stop() {
         observing.each { it.close() }
         if (::pausing.isInitialized) pausing.close()
@@ -255,11 +259,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private val saved by lazy { SavedArch(this) }
 
-    /** Java's serialization of an agent calls this function, and writes the result in place of the architecture. */
+    /** Java's serialization calls this function, and writes the returned object instead of the architecture. */
     protected fun writeReplace(): Any = saved
 
     /**
-     * True if Jason itself stops each architecture of this agent. Its Local infrastructure does. Other infrastructures stop only the first
+     * True if Jason itself stops each architecture of this agent. The Local infrastructure does; other infrastructures stop only the first
      * architecture. Some architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }

@@ -13,8 +13,8 @@ import java.util.logging.Logger
 
 /**
  * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`. A
- * system property such as `-Dargo_watch=true` is added to the [settings] of each agent that does not have this option. In a replay no
- * property is added, since the agents have the recorded options. Unknown options and values are reported to [log] and ignored.
+ * system property such as `-Dargo_watch=true` adds an option to the [settings] of each agent without this option. A replay ignores system
+ * properties, since its agents have the recorded options. Unknown options and values are reported to [log] and ignored.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger, isReplay: Boolean) {
     private val ofProgram: Set<String> = if (isReplay) emptySet() else addProperties()
@@ -23,13 +23,12 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     val maxPercepts: Int = maxPercepts()
 
-    /** The command that makes a board safe before the agent is paused; null: there is none. */
+    /** The command that makes a board safe before the agent is paused; null if there is none. */
     val safe: Term? = safeCommand()
 
-    /** The value of the option that names the file with the agent's state; null: the agent's state is not kept. */
+    /** The file that keeps the agent's state; null if the state is not kept. */
     val resume: String? = settings.getUserParameter(Resuming.OPTION)
 
-    /** The observers that the options ask for, such as a live view. */
     val observers = ObserverOptions(observerOptions(), log)
 
     init {
@@ -86,10 +85,10 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         const val SAFE = "argo_safe"
         val OWN = setOf(SENSING, SAFE, PerceptLimit.OPTION, Resuming.OPTION, Infrastructure.FLEET_OPTION)
 
-        /** The unknown system properties that the log of an agent has reported. */
+        /** The unknown system properties that a log has already reported. */
         val TOLD: MutableSet<String> = ConcurrentHashMap.newKeySet()
 
-        /** The options that modules of this project add, each with its module. A warning names the module if it is missing. */
+        /** The options that modules of this project add, each with its module. */
         val MODULES = mapOf(
             "argo_view" to "argo-view", "argo_debug" to "argo-debug", "argo_record" to "argo-recording", "argo_ros" to "argo-ros",
         )

@@ -2,11 +2,11 @@ package argo
 
 import java.util.concurrent.ConcurrentHashMap
 
-/** Work on other threads that can be given up, and for which an agent's suspended intentions wait. Safe for several threads. */
+/** The work of other threads for which an agent's suspended intentions wait. Safe for several threads. */
 internal class AwaitedWork {
     private val begun = ConcurrentHashMap<String, () -> Unit>()
 
-    /** Adds the work for which the intention suspended under [key] waits; [giveUp] ends the work early. */
+    /** Adds the work for which the intention suspended under [key] waits. [giveUp] ends the work early. */
     fun begin(key: String, giveUp: () -> Unit) {
         begun[key] = giveUp
     }
@@ -15,6 +15,6 @@ internal class AwaitedWork {
         begun -= key
     }
 
-    /** Gives up the work for dropped intentions: their keys are missing from [keys], the keys of all suspended intentions. */
+    /** Gives up the work for dropped intentions. [keys] are the keys of all intentions that are still suspended. */
     fun giveUpDropped(keys: Set<String>) = begun.keys.filter { it !in keys }.forEach { begun.remove(it)?.invoke() }
 }

@@ -19,7 +19,7 @@ import jason.asSyntax.Term
 import java.io.Serializable
 
 /**
- * The base of ARGO's internal actions: finds the calling agent, and makes plans fail. An action does its work at once, or suspends the
+ * The base of ARGO's internal actions. Finds the calling agent, and makes plans fail. An action does its work at once, or suspends the
  * intention until another thread has done the work. The action never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(
@@ -31,7 +31,7 @@ abstract class BoardInternalAction internal constructor(
 
     internal open val suspends: Boolean get() = false
 
-    /** Returns the term in [args] with which a robot's answer must unify; null: no answer is awaited. */
+    /** Returns the term in [args] with which a robot's answer must unify; null if no answer is awaited. */
     internal open fun awaitedIn(args: Array<Term>): Term? = null
 
     /** Does the action's work. Called by the agent's thread. */
@@ -43,7 +43,7 @@ abstract class BoardInternalAction internal constructor(
         return ts.boundary.call(InternalCall(name, args, un, suspend)) { carryOut(call) }
     }
 
-    /** Carries out [call] for a caller that is no intention. Throws [JasonException] if it fails. Called by the agent's thread. */
+    /** Carries out [call] for a caller outside of any intention. Throws [JasonException] if it fails. Called by the agent's thread. */
     internal fun carryOut(call: Call): Boolean {
         try {
             if (call.args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${call.args.size}")
@@ -54,14 +54,13 @@ abstract class BoardInternalAction internal constructor(
         return true
     }
 
-    /** Jason never calls this function, since actions set no timeout. The links for which an action waits have their own time limits. */
+    /** Actions set no timeout, so Jason never calls this function. The links for which an action waits have their own time limits. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
-    /** Java's serialization calls this when it has read an agent, and takes the result, which keeps nothing, in place of the action. */
+    /** Java's serialization calls this function when it has read an agent, and uses the returned action instead of the read one. */
     protected fun readResolve(): Any = javaClass.getConstructor().newInstance()
 
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
-        /** The call with the values of its arguments, for messages. */
         val text: String get() = "$name(${args.joinToString(",")})"
 
         val arch: Arch
@@ -70,9 +69,9 @@ abstract class BoardInternalAction internal constructor(
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
-         * Suspends the intention. Call the returned function once, on any thread: with the failure of the plan, or null, and with the text
-         * of the answer, or null. If the agent drops the intention before this call, the agent's thread
-         * calls [giveUp] some time later.
+         * Suspends the intention. The returned function resumes the intention. Call the function once, on any thread. Its arguments are the
+         * failure of the plan, or null, and the text of the answer, or null. If the agent drops the intention before this call, the agent's
+         * thread later calls [giveUp].
          */
         fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)
@@ -89,7 +88,7 @@ abstract class BoardInternalAction internal constructor(
         private fun end(key: String, failure: CommandFailure?) =
             resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
 
-        /** Unifies [awaited] with [answer] in the intention suspended under [key]. If they do not unify, returns the reason. */
+        /** Unifies [awaited] with [answer] in the intention suspended under [key]. Returns null if they unify, else the failure. */
         private fun differing(key: String, awaited: Term, answer: String?): Failure? {
             if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
             val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped the intention
@@ -109,14 +108,12 @@ private fun counted(arguments: IntRange) = when {
     else -> "${arguments.first} to ${arguments.last} arguments"
 }
 
-/** Returns all architectures of the agent of [ts], in their order. */
 internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
 
-/** Returns the [Arch] of the agent of [ts]; null: the agent has none. */
+/** Returns the [Arch] of the agent of [ts]; null if the agent has none. */
 internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
 
 internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
 
-/** Returns the failure of an action if the agent of [ts] has no [Arch]. */
 internal fun notArgo(ts: TransitionSystem) =
     Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j")

@@ -12,7 +12,7 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
-/** The base of ARGO's internal actions that only ask. Contexts of plans may contain such actions too. */
+/** The base of ARGO's internal actions that only ask. Contexts of plans may contain these actions. */
 abstract class BoardQuery internal constructor(private val name: String, private val arguments: Int) : DefaultInternalAction() {
     final override fun getMinArgs() = arguments
 
@@ -24,22 +24,20 @@ abstract class BoardQuery internal constructor(private val name: String, private
             answer(Call(ts, un, args))
         }
 
-    /** Returns the result: see [jason.asSemantics.InternalAction.execute]. Called by the agent's thread. */
+    /** Returns the result, see [jason.asSemantics.InternalAction.execute]. Called by the agent's thread. */
     internal abstract fun answer(call: Call): Any
 
     internal inner class Call(val ts: TransitionSystem, val un: Unifier, val args: Array<Term>) {
         val arch: Arch get() = archOf(ts) ?: throw failure(notArgo(ts))
 
-        /** Returns the exception for an argument of a wrong kind. */
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
-        /** Returns the result of a call that has no answer: false in a context; as a step of a plan, the call fails the plan with [why]. */
+        /** Handles a call that has no answer. Returns false in a context. If the call is a step of a plan, fails the plan with [why]. */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 
-        /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan. Such a call uses the plan's unifier; a call in a context uses another one. */
+        /** Returns true if the call is a step of a plan. A step uses the plan's unifier; a call in a context uses another unifier. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

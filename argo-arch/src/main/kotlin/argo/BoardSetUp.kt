@@ -11,19 +11,19 @@ import jason.JasonException
 import jason.asSyntax.Literal
 
 /**
- * Describes an agent's use of its boards by calls of internal actions, and sets the boards up by such calls.
+ * Describes an agent's use of its boards as calls of internal actions, and sets boards up by these calls.
  *
- * @param told receives the reason for each call that cannot be carried out again
+ * @param told receives the reason for each call that cannot be repeated
  */
 internal class BoardSetUp(private val arch: Arch, private val platform: Platform, private val told: (String) -> Unit) {
     private val boards get() = arch.boards
     private val ports get() = arch.boards.ports
 
-    private var awaited: List<String>? = null // calls that wait until all ports are open; null: none waits
+    private var awaited: List<String>? = null // calls that wait until all ports are open; null if none waits
 
     /**
-     * Returns the calls, without the prefix `argo.`, that set the boards up as they are, or as they will be when all ports are open. Called
-     * by the agent's thread.
+     * Returns the calls, without the prefix `argo.`, that set the boards up. While ports are still being opened, these are the calls for
+     * the time when all ports are open. Called by the agent's thread.
      */
     fun calls(): List<String> = awaited?.let { it + ofAgent() } ?: (listOfNotNull(portsInUse()) + ofAgent() + ofBoards())
 
@@ -46,8 +46,8 @@ internal class BoardSetUp(private val arch: Arch, private val platform: Platform
     private fun nameOf(filter: PerceptionFilter?) = filter?.let { "${GroundTerm.Text(it.name)}" } ?: "none"
 
     /**
-     * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open. A port that cannot be opened is tried again
-     * each second. If the agent chooses ports itself in the meantime, [done] is called too.
+     * Sets the boards up by [calls]. Calls [done] once, on any thread, when all ports are open. Tries again each second to open a port that
+     * cannot be opened. If the agent meanwhile chooses ports itself, also calls [done].
      */
     fun restore(calls: List<String>, done: () -> Unit) {
         val read = calls.associateWith(PerceptReader::read)

@@ -19,11 +19,12 @@ import jason.asSyntax.Term
 import jason.bb.BeliefBase
 
 /**
- * Finds the board for a command of the agent among [boards], and sends the command to this board. For the agent's thread only.
+ * Finds the board for a command of the agent among [boards], and sends the command to the board. For the agent's thread only.
  *
- * A command may name its board by a namespace, or by a port in its options. Any other command goes to the board of its plan's module,
- * unless this board's description lacks the command. Then, or without a module, the command goes to the only board whose description has
- * the command. If no description has the command, it goes to the board on the port in use.
+ * A command may name its board by a namespace, or by a port in its options. For any other command, these boards are tried in this order:
+ * 1. the board of the plan's module, if its description has the command, or if it has no description
+ * 2. the only board whose description has the command
+ * 3. the board on the port in use, if no description has the command
  */
 internal class CommandRouter(private val boards: AgentBoards) {
     private sealed interface Route {
@@ -32,15 +33,15 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 
     /**
-     * Sends [command], a literal or a string. Until the command is done, the agent gets no further snapshot of the board whose percept
-     * caused the command. If no percept caused it, this applies to the board that gets the command.
+     * Sends [command], a literal or a string. Until the command is done, one board gives the agent no further snapshot. This is the board
+     * that sent the percept behind the command or, without a percept, the board that gets the command.
      *
-     * @param module the namespace of the module whose plan sends the command; null: the plan is in no module
-     * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before
-     *     [outcome]
-     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way, with
-     *     [Transmission.giveUp]
-     * @return null: the command was sent; else the reason why it was not sent
+     * @param module the namespace of the module whose plan sends the command; null if the plan is in no module
+     * @param cause returns the percept that made the agent send the command, or null. Called when the command is under way, before
+     * [outcome]
+     * @param outcome returns the receiver of the outcome, see [Transmission.follow]. Called with [Transmission.giveUp] when the command is
+     * under way
+     * @return null if the command was sent, else the reason why it was not sent
      * @throws argo.calls.ArgumentException if the line cannot carry the command
      */
     fun send(
@@ -97,7 +98,6 @@ internal class CommandRouter(private val boards: AgentBoards) {
         return if (isKnown) within(module, command, inUse) else null
     }
 
-    /** Returns the board among [some] whose description has [command]; null: none has it. */
     private fun among(some: List<Board>, command: Literal, inUse: OpenPort): Route? {
         val knowing = some.filter { it.knows(command) }
         return when (knowing.size) {
@@ -127,23 +127,23 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 }
 
-/** Returns the command as a literal; null: it is a string that cannot be read as a literal. */
+/** Returns the command as a literal; null if it is a string that cannot be read as a literal. */
 private fun literalOf(command: Term): Literal? = try {
     if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
 } catch (_: PerceptSyntaxException) {
     null
 }
 
-/** Returns the namespace of the module whose plan the agent of [ts] is carrying out; null: the plan is in no module. */
+/** Returns the namespace of the module that contains the current plan of the agent of [ts]; null if the plan is in no module. */
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
 
-/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: another event began it. */
+/** Returns the percept that began the current intention of the agent of [ts]; null if another event began it. */
 internal fun perceptBehind(ts: TransitionSystem): Literal? = intentionOf(ts)?.bottom?.trigger?.literal
     ?.takeIf { it.hasSource(BeliefBase.APercept) }
 
-/** Returns the intention that the agent of [ts] is carrying out; null: it has finished. */
+/** Returns the current intention of the agent of [ts]; null if it has finished. */
 private fun intentionOf(ts: TransitionSystem): Intention? = ts.c.selectedIntention?.takeUnless { it.isFinished }

@@ -24,7 +24,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
 
-/** The interface of [arch] for its observers. */
+/** The view that observers have of [arch]. */
 internal class ObservedArch(
     private val arch: Arch,
     private val waker: Waker,
@@ -91,7 +91,7 @@ internal class ObservedArch(
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Makes the agent's thread do [work] and then [done], in the agent's next cycle, or at once if the agent is paused. */
+    /** Makes the agent's thread do [work] and then [done]. A paused agent does them at once, a running one in its next cycle. */
     private fun later(done: () -> Unit, work: () -> Unit) = arch.requests.put {
         work()
         done()

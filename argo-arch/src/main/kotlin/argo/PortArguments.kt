@@ -23,12 +23,12 @@ internal fun portName(term: Term): String {
     return name
 }
 
-/** Returns the term for the port in the agent's beliefs: [name] as a string if [written] is a variable, else [written]. */
+/** Returns the port's term for the agent's beliefs. If [written] is a variable, returns [name] as a string, else [written]. */
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
 
 /**
- * Returns the board that the second argument of [call] names, as in `[port(P)]`; null: the call names none. Throws [ArgumentException] for
- * other options or several ports.
+ * Returns the board that the second argument of [call] names, as in `[port(P)]`; null if the call names none. Throws [ArgumentException] if
+ * the argument has other options or several ports.
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)
@@ -40,6 +40,5 @@ internal fun boardIn(call: BoardInternalAction.Call): Board? {
 private fun portIn(option: Term): Term = (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
     ?: throw ArgumentException("$option is not an option; the only option is port(P)")
 
-/** Explains why [port] names none of [boards]. */
 internal fun unknownBoard(port: Term, boards: AgentBoards): String =
     "there is no board on port $port; the agent perceives ${boards.current.joinToString { "${it.term}" }.ifEmpty { "none" }}"

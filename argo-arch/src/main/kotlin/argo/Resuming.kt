@@ -29,8 +29,8 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * Keeps the state of the agent of [arch] in [file], for the option `argo_resume`. The agent goes on from the state that its last run has
- * kept in [file]. The agent's thread makes a state between two cycles.
+ * Implements the option `argo_resume`: keeps the state of the agent of [arch] in [file]. When the agent starts again, it continues from
+ * this state. The agent's thread composes the state between two cycles.
  *
  * @param wallMs ms since 1970
  */
@@ -44,16 +44,16 @@ internal class Resuming(
     private val name = arch.agName
     private val setUp = BoardSetUp(arch, platform, ::warn)
     private var awaited: List<String> = emptyList() // events that begin when all ports are open
-    private var readable: Set<String> = emptySet() // texts that were found to be read back as the same literals
+    private var readable: Set<String> = emptySet() // literals with a text that was read back and compared
     private val program = beginning()
     private val leftOut = HashSet<String>()
     private val writer = StateWriter(file, name, platform, log, ::close)
-    private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // the first state is kept at once
+    private var madeNanos = platform.clock.nanos() - PERIOD_NANOS // so the first state is kept at once
 
     @Volatile
-    private var isResumed = false // while false, the file holds the state of the last run
+    private var isResumed = false // false while the file holds the state of the last run
 
-    private val ending = ReentrantLock() // held while a thread other than the agent's makes the last state
+    private val ending = ReentrantLock() // held while a thread other than the agent's composes the last state
 
     @Volatile
     private var isInCycle = false
@@ -61,16 +61,16 @@ internal class Resuming(
     @Volatile
     private var isStopped = false
     private var isLastMade = false
-    private var isDue = false // for the agent's thread
+    private var isDue = false // only the agent's thread uses it
 
     init {
         arch.pausing.follow { if (it.phase == PausePhase.PAUSED) keepWhile(it) }
     }
 
-    /** Returns the initial beliefs and goals of the program. Of the events, only those of goals are included. */
+    /** Returns the initial beliefs and goals of the program. Events of beliefs are left out. */
     private fun beginning(): Mind = Mind.of(arch.ts, ::write) {}.run { copy(events = events.filter { it.startsWith("!") }) }
 
-    /** Lets the agent go on from the state in the file, if there is one. Called before the agent's first cycle. */
+    /** If the file holds a state, lets the agent continue from it. Called before the agent's first cycle. */
     fun begin(order: (Order, (Outcome) -> Unit) -> Unit) {
         val state = read()
         isResumed = state == null
@@ -114,7 +114,7 @@ internal class Resuming(
         return null
     }
 
-    /** Returns the text of [literal]; throws [IllegalArgumentException] if the text would be read back as another literal. */
+    /** Returns the text of [literal]. Throws [IllegalArgumentException] if the text cannot be read back as an equal literal. */
     private fun write(literal: Literal): String {
         val text = perceptText(literal)
         if (text in readable) return text
@@ -129,7 +129,7 @@ internal class Resuming(
 
     fun cycleStarting() {
         isInCycle = true
-        if (isStopped) ending.withLock { } // another thread may be making the last state
+        if (isStopped) ending.withLock { } // another thread may be composing the last state
     }
 
     override fun cycleFinished() {
@@ -138,20 +138,20 @@ internal class Resuming(
         if (isStopped) ending.withLock { keep() }
     }
 
-    /** Keeps the state soon: a person expects that the effect of an order is kept. Called by the agent's thread after an order. */
+    /** Keeps the state soon after a person's order. Called by the agent's thread. */
     fun ordered() {
         isDue = !keepStanding()
     }
 
-    /** Keeps the state again and again during the pause [standing], since times in the state change. */
+    /** Keeps the state periodically during the pause [standing], since the state contains times. */
     private fun keepWhile(standing: PauseState) {
         if (arch.pausing.state === standing && keepStanding()) platform.later(PERIOD_MS) { keepWhile(standing) }
     }
 
-    /** If the agent is paused between two cycles, lets its thread make the state and returns true; else returns false. */
+    /** If the agent is paused between two cycles, makes its thread keep the state and returns true. Else returns false. */
     private fun keepStanding(): Boolean = !platform.standsStill && arch.pausing.look(::keep)
 
-    /** Makes the agent's state and gives it to the writer. Nothing may change the agent meanwhile. */
+    /** Composes the agent's state and gives it to the writer. The agent must not change during this call. */
     private fun keep() {
         if (isLastMade) return
         madeNanos = platform.clock.nanos()
@@ -171,7 +171,10 @@ internal class Resuming(
         )
     }
 
-    /** Keeps the last state at once, or after the present cycle. If the agent is paused within a cycle, its own thread makes the state. */
+    /**
+     * Keeps the last state at once or, during a cycle, after the cycle. If the agent is paused within a cycle, its own thread keeps the
+     * state.
+     */
     override fun close() {
         ending.withLock {
             if (isStopped) return
@@ -183,14 +186,13 @@ internal class Resuming(
     companion object {
         const val OPTION = "argo_resume"
 
-        /** Beliefs in the file are five seconds old at most: a sleeping agent has a cycle each second. */
+        /** A sleeping agent has a cycle each second, so beliefs in the file are at most five seconds old. */
         private const val PERIOD_MS = 4000L
         private val PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(PERIOD_MS)
         private const val RESUMED = "resumed("
 
         /**
-         * Reserves the file that [value], the option's value, names for the agent of [arch]. If the agent cannot have the file, returns
-         * null, tells [log] the reason, and the agent runs without the file.
+         * Reserves the file [value] for the agent of [arch]. If the agent cannot have the file, tells [log] the reason and returns null.
          */
         fun open(arch: Arch, value: String, platform: Platform, log: Logger): Resuming? {
             fun refuse(why: String) =

@@ -6,8 +6,8 @@ import jason.architecture.AgArch
 import java.util.logging.Logger
 
 /**
- * Replaces [arch] in an agent that Java's serialization writes, since ports and threads cannot be written. When an agent is read back and
- * begins its first cycle, a new architecture of the same class, without ports, is put in front of this one.
+ * Replaces [arch] when Java's serialization writes an agent, since ports and threads cannot be written. After the agent has been read back,
+ * its first cycle inserts a new architecture, without ports, before this object.
  */
 internal class SavedArch(arch: Arch) : AgArch(), Transparent {
     private val type = arch.javaClass

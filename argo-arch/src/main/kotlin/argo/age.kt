@@ -8,12 +8,12 @@ import jason.asSyntax.NumberTerm
 
 /**
  * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal. The age is
- * the time since the board's newest message with the percept, even if the agent has not perceived that message yet. So a percept that the
- * board repeats is young, though it causes no event. A percept that a filter freezes or holds back grows older. If several percepts match,
+ * the time since the board's newest message with the percept. The agent may not have perceived this message yet. A percept that the board
+ * repeats is young, though it causes no event. A percept that a filter freezes or holds back grows older. If several percepts match,
  * Literal is unified with the youngest. Contexts of plans may contain the action: `+!go : argo.age(dist(f,_), Ms) & Ms < 200`.
  *
- * If no believed percept of a board unifies with Literal, the action is false in a context; as a step of a plan it fails the plan with
- * `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ * If no believed percept of a board unifies with Literal, the action is false in a context. As a step of a plan, the action then fails the
+ * plan with `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class age : BoardQuery("argo.age", 2) {

@@ -12,16 +12,16 @@ import javino.wire.BoardAction.ANY
 
 /**
  * The internal action `argo.can(Action)`: true if a perceived board has registered an action with Action's functor and number of arguments.
- * The arguments' values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and `argo.can(B::stop)` binds B
- * to each namespace whose board has the action. The action is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ * The arguments' values do not matter. `argo.can(left::stop)` asks about the boards in the namespace `left`. `argo.can(B::stop)` binds B to
+ * the namespace of each board with the action. The action is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
  * If Action is a variable, it is bound to each action in turn, such as `speed(_)`: `.findall(A, argo.can(A), All)`, or `.findall(left::A,
  * argo.can(left::A), All)` for one namespace. An action with any number of arguments appears without arguments.
  *
- * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. The description is unknown before
- * the board has answered, with version 1, with a sketch without a table of actions, or if no port is in use. In these cases `argo.can` is
- * false in a context; as a step of a plan it fails the plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)`
- * or `error(not_argo)`.
+ * Boards of version 2 describe themselves. ARGO asks for the description at the beginning of a session. The description is unknown before
+ * the board has answered. It stays unknown with version 1, with a sketch without a table of actions, or if no port is in use. If the
+ * description is unknown, `argo.can` is false in a context. As a step of a plan, `argo.can` then fails the plan with
+ * `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class can : BoardQuery("argo.can", 1) {
@@ -54,7 +54,7 @@ open class can : BoardQuery("argo.can", 1) {
     }
 }
 
-/** Returns literals in [namespace] for the actions of [board]. Actions whose names are no atoms are left out. */
+/** Returns literals in [namespace] for the actions of [board]. Leaves out actions with a name that is not an atom. */
 private fun literalsOf(board: Board, namespace: Atom?) = board.actions.orEmpty().filter { isPlainName(it.name) }.map { action ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
     ASSyntax.createLiteral(namespace ?: Literal.DefaultNS, action.name, *Array<Term>(arguments) { UnnamedVar() })

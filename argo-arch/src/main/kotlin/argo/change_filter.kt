@@ -16,18 +16,19 @@ import java.util.logging.Logger
 
 /**
  * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the name of a
- * filter or of its file; `none` lets everything through. `argo.change_filter(F)` changes the filter of all boards, `argo.change_filter(F,
- * [port(P)])` only that of the board on P. The action also works for agents without [Arch], whose percepts come from a Jason environment.
+ * filter or of its file; `none` lets everything through. `argo.change_filter(F)` changes the filter of all boards. `argo.change_filter(F,
+ * [port(P)])` changes only the filter of the board on P. The action also works for agents without [Arch]. Their percepts come from a Jason
+ * environment.
  *
  * The log names the parts of the filter that have no effect.
  *
- * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(unknown_board)`, `error(no_such_filter)` or
+ * Fails the plan, and keeps the filter unchanged, with `error(wrong_arguments)`, `error(unknown_board)`, `error(no_such_filter)` or
  * `error(bad_filter)`. If a file is refused, the message lists all its problems.
  */
 @Suppress("ClassName")
 open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
     @Transient
-    private val reported = HashSet<Pair<String, PerceptionFilter>>() // for one agent: Jason makes one instance for each agent
+    private val reported = HashSet<Pair<String, PerceptionFilter>>() // Jason makes one instance for each agent
 
     override fun run(call: Call) {
         val filter = find(call, filterName(call.args[0]))

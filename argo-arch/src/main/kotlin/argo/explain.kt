@@ -6,8 +6,8 @@ import jason.asSyntax.Literal
 
 /**
  * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that says whether the active filter drops Percept, and by which
- * rule. The namespace of Percept selects the board whose filter is asked. The action may be used in the context of a plan, and by agents
- * without [Arch].
+ * rule. The namespace of Percept selects the board and its filter. Contexts of plans may contain the action. Agents without [Arch] may also
+ * use the action.
  *
  * Fails the plan with `error(wrong_arguments)`.
  */

@@ -4,8 +4,8 @@ import argo.calls.ArgumentException
 import argo.calls.wholeNumber
 
 /**
- * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows). The default is 50
- * ms. The call sets the interval of all boards; `argo.limit(Ms, [port(P)])` sets only that of the board on P.
+ * The internal action `argo.limit(Ms)`: sets the sensing interval of all boards in ms. Ms is a whole number from 0, which means as fast as
+ * the line allows. The default is 50 ms. `argo.limit(Ms, [port(P)])` sets only the interval of the board on P.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(unknown_board)` if the agent perceives no board on P, or `error(not_argo)`.
  */

@@ -3,7 +3,7 @@ package argo
 import argo.calls.ArgumentException
 
 /**
- * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`, stops
+ * The internal action `argo.percepts(open)` starts perceiving through the port in use. `argo.percepts(block)`, or `close`, stops
  * perceiving. When an agent starts, perceiving is blocked. While it is blocked, beliefs stay.
  *
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.

@@ -7,13 +7,15 @@ import jason.asSyntax.ListTerm
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.reload`: reads the agent's program and its active filters anew, while the agent runs. Plans and rules that have
- * changed are exchanged between two reasoning cycles; the others stay, and so do plans that were added at run time. Intentions finish the
- * plans that they have begun. No port is closed. The log tells what has changed, and which initial beliefs and goals are new.
- * `argo.reload([beliefs, goals])` also adds these beliefs and begins these goals. The log tells which of them the agent refuses, such as a
- * goal without a plan. New beliefs and goals that are not added, or are refused, are reported again at the next reload.
+ * The internal action `argo.reload`: reads the agent's program and its active filters again, while the agent runs. Plans and rules that
+ * have changed are exchanged between two reasoning cycles. All other plans and rules stay, even plans that were added at run time.
+ * Intentions finish the plans that they have begun. No port is closed.
  *
- * The intention waits until the program is exchanged; files are read outside of the agent's thread.
+ * The log lists the changes, and the initial beliefs and goals that are new. `argo.reload([beliefs, goals])` also adds these beliefs and
+ * begins these goals. If the agent refuses one of them, such as a goal without a plan, the log says so. New beliefs and goals that are
+ * refused or not added are reported again at the next reload.
+ *
+ * The intention waits until the program is exchanged. Another thread reads the files.
  *
  * Fails the plan, without any change, with `error(bad_program)` if the program or a filter cannot be read, `error(wrong_arguments)` or
  * `error(not_argo)`.

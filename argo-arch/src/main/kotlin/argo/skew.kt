@@ -5,12 +5,12 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.NumberTerm
 
 /**
- * The internal action `argo.skew(Ms)`: unifies Ms with the time in ms between the oldest and the newest believed reading of the boards;
- * with one board, Ms is 0. Boards that are off, have not answered in time or are stale do not count. This action may be used in the context
- * of a plan: `+!go : argo.skew(Ms) & Ms < 20`.
+ * The internal action `argo.skew(Ms)`: unifies Ms with the time in ms between the oldest and the newest believed reading of the boards.
+ * With one board, Ms is 0. A board does not count if it is off, is stale, or has not answered in time. Contexts of plans may contain the
+ * action: `+!go : argo.skew(Ms) & Ms < 20`.
  *
- * If no board's readings are believed, the action is false in a context; as a step of a plan it fails the plan with `error(not_perceived)`.
- * Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ * If no board's readings are believed, the action is false in a context. As a step of a plan, the action then fails the plan with
+ * `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class skew : BoardQuery("argo.skew", 1) {

@@ -7,9 +7,7 @@ import javino.Transport
 import javino.TransportProvider
 import javino.Transports
 
-/**
- * Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, or the line that [opening] makes, unless [refusal] returns a reason.
- */
+/** Ports that may refuse to be opened. If [refusal] returns null, `fussy:robot` is `sim:robot`, or the line that [opening] makes. */
 class FussyProvider : TransportProvider {
     override fun scheme() = "fussy"
 
@@ -29,7 +27,6 @@ class FussyProvider : TransportProvider {
         @Volatile
         var refusal: (String, LineSettings) -> PortException? = { _, _ -> null }
 
-        /** Opens the line to an address. */
         @Volatile
         var opening: (String, LineSettings) -> Transport = ::openSimulated
 

@@ -11,9 +11,9 @@ import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
 
 /**
- * Returns the rule for a board that decides like [critical]; null: there is none. Since a board compares texts and decimal numbers, both
- * rules decide alike only for percepts as boards write them: without namespaces, comments, variables and expressions, with numbers of at
- * most 15 digits without an exponent, and with the same number of arguments for each functor.
+ * Returns the rule for a board that decides like [critical]; null if there is none. A board compares texts and decimal numbers, so both
+ * rules decide alike only for percepts as boards write them. The percepts of boards have no namespaces, comments, variables or expressions.
+ * Numbers in these percepts have at most 15 digits and no exponent. A functor always has one number of arguments.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
@@ -32,16 +32,16 @@ private fun conditionOf(condition: Argument): Condition? {
 }
 
 /**
- * Returns true if a board decides this condition exactly like a filter. If the argument is missing, `NE` is false in a filter, but true on
- * a board. So another condition must require this argument or a later one.
+ * Returns true if a board decides this condition like a filter. If the argument is missing, `NE` is false in a filter but true on a board.
+ * A condition with `NE` is exact only if another condition requires its argument or a later one.
  */
 private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
 
 /**
- * Returns true if this condition has only one limit, or if the other conditions together select one sensor. A filter remembers for each
- * sensor that the second limit applies; a board remembers it only for the whole rule. So each argument before this one must be required to
- * have one value, and no later argument may have a condition. Later arguments are assumed not to tell sensors apart.
+ * Returns true if this condition has one limit, or if the other conditions select one sensor. A filter remembers for each sensor whether
+ * the second limit applies; a board remembers it once for the whole rule. Each argument before this one must have one required value, and
+ * no later argument may have a condition. Later arguments are assumed not to tell sensors apart.
  */
 private fun Condition.namesSensor(all: List<Condition>): Boolean {
     if (until() == null) return true
@@ -64,7 +64,7 @@ private fun valueOf(value: GroundTerm): String? = when (value) {
     is GroundTerm.Text, is GroundTerm.Sequence -> null
 }
 
-/** Returns [value] as a decimal; null: it is infinite, or has so many digits that decimals and doubles may compare differently. */
+/** Returns [value] as a decimal; null if it is infinite, or has so many digits that decimals and doubles may compare differently. */
 private fun decimalOf(value: Double): String? =
     if (value.isInfinite()) null
     else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()

@@ -9,11 +9,11 @@ import jason.asSyntax.Term
 /**
  * The options of a command: the second argument of `argo.act`.
  *
- * @property timeoutMs the time limit for the outcome, in ms from the call; null: no limit
+ * @property timeoutMs the time limit for the outcome, in ms from the call; null if there is no limit
  * @property urgent whether the command overtakes waiting commands that are not urgent
- * @property latest whether the command replaces waiting commands with the same functor
- * @property port the port of the command's board; null: the options name none
- * @property answer the term with which the board's answer must unify; null: no answer is asked for
+ * @property latest whether the command replaces waiting commands with its functor
+ * @property port the port of the command's board; null if the options name no port
+ * @property answer the term with which the board's answer must unify; null if no answer is requested
  */
 internal data class CommandOptions(
     val timeoutMs: Int? = null,

@@ -32,7 +32,7 @@ internal class CommandSender(
 ) {
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
-    /** Queues [text], see [BoardLink.send]. If the line is free, it is written at once. */
+    /** Queues [text], see [BoardLink.send]. If the line is free, writes it at once. */
     fun send(text: String, options: CommandOptions): Transmission =
         transmission("\"$text\"", link.send(text, options.forLink()), options.answer != null)
 
@@ -86,7 +86,7 @@ internal class CommandSender(
             // the waiting commands have failed already
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // a new opening of the port starts a new thread; without one no command is sent
+        } catch (unforeseen: Throwable) { // a new opening of the port starts a new thread
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

@@ -31,7 +31,7 @@ internal fun commandTerm(command: String): Term {
 /** Reads [text], a term that a link has written. */
 internal fun termOf(text: String): Term = PerceptReader.read("answer($text)").getTerm(0) // the reader takes only literals
 
-/** Throws [ArgumentException] unless [command] is a string, or a literal without variables in which all numbers are finite. */
+/** Throws [ArgumentException] if [command] is neither a string nor a literal, or if a literal has variables or infinite numbers. */
 internal fun requireCommand(command: Term) {
     when {
         command is StringTerm -> if (command.string.isEmpty()) throw ArgumentException("a command has at least one character")
@@ -51,9 +51,9 @@ private fun isFinite(term: Term): Boolean = when (term) {
 }
 
 /**
- * Returns the text to send for [command]: a string without its quotes, or a literal without its namespace. [requireCommand] has accepted
- * the command. For a line, the literal is written as Jason writes it, but quotes in strings are escaped. For other links, which read the
- * text back, strings are fully escaped.
+ * Returns the text to send for [command]: a string without its quotes, or a literal without its namespace. [requireCommand] must have
+ * accepted [command]. For a line, writes the literal as Jason does, but escapes quotes in strings. Other links read the text back, so for
+ * them strings are fully escaped.
  *
  * @param isLine whether the text goes out as bytes on a line, see [argo.links.BoardLink.isLine]
  * @throws ArgumentException if a line cannot carry the text
@@ -75,7 +75,7 @@ private fun lineText(text: String): String {
     }
 }
 
-/** Returns [literal] as Jason writes it, without its namespace. Jason's function would take a tenth of the time from percept to command. */
+/** Returns [literal] as Jason writes it, without its namespace. Jason's own function is too slow on the way from percept to command. */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
     else -> withEscapes(withoutNamespace(literal)).toString()
@@ -84,7 +84,7 @@ private fun literalText(literal: Literal): String = when {
 private fun withoutNamespace(literal: Literal): Literal =
     if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS) as Literal
 
-/** Returns true if [writeTo] can write [term]: it is only a functor with arguments. */
+/** Returns true if [writeTo] can write [term], a functor with arguments and no annotations. */
 private fun isPlain(term: Term) = term.javaClass in PLAIN && !(term as Literal).hasAnnot()
 
 private fun Literal.writeTo(text: StringBuilder) {
@@ -98,7 +98,7 @@ private fun Literal.writeTo(text: StringBuilder) {
     if (arity > 0) text.append(')')
 }
 
-/** Returns [term] with each quote in a string escaped. Jason does not escape it, so a board would take it for the end of the string. */
+/** Escapes the quotes in the strings of [term]. Jason leaves them, and a board would take a quote for the end of the string. */
 private fun withEscapes(term: Term): Term = when {
     term is StringTerm -> ASSyntax.createString(TO_ESCAPE.replace(term.string) { if (it.value.length > 1) it.value else "\\${it.value}" })
     term is ListTerm -> ASSyntax.createList(term.asList.map(::withEscapes))
@@ -109,7 +109,7 @@ private fun withEscapes(term: Term): Term = when {
     else -> term
 }
 
-/** A quote, a backslash, or two: Jason keeps an escaped backslash as two characters, so two are not escaped again. */
+/** A quote, a backslash, or two backslashes. Jason keeps an escaped backslash as two characters, so a pair is already escaped. */
 private val TO_ESCAPE = Regex("""\\\\|[\\"]""")
 
 private val PLAIN = setOf<Class<*>>(LiteralImpl::class.java, Structure::class.java)

@@ -17,15 +17,19 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads. If the computer watches a rule, it
- * sends the reflex at the first message that meets the rule. If that fails, the next message that meets the rule sends the reflex again,
- * until the command is sent or, in version 2, the board has acted or refused. After that, a message must fail to meet the rule before the
- * reflex is sent again. If the board watches a rule, the board carries out the reflex and reports it. A report can be lost, and a board can
- * read a strange percept differently. So if a second message meets the rule and there is no report, the computer sends the reflex.
- * @param send sends a command to the board on a port, ahead of all waiting commands; calls its last argument once with the outcome, on any
+ * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads.
+ *
+ * If the computer watches a rule, it sends the reflex when a message first meets the rule. If the reflex fails, the next message that meets
+ * the rule sends it again. The reflex ends when the command is sent or, in version 2, when the board has acted or refused. After its end,
+ * the reflex is sent again only if a message has not met the rule in between.
+ *
+ * If the board watches a rule, the board carries out the reflex and reports it. The report can be lost, or the board may read an unusual
+ * percept differently. If a second message meets the rule and no report has come, the computer sends the reflex.
+ *
+ * @param send sends a command to the board on a port, ahead of all waiting commands. Calls its last argument once with the outcome, on any
  * thread
  * @param isBoards returns true if the board on a port watches a rule
- * @param ended called with each outcome: null, or the reason of a failure; by any thread
+ * @param ended called by any thread with each outcome: null, or the reason of a failure
  * @param warning logs the failures of reflexes
  */
 internal class Reflexes(
@@ -40,7 +44,7 @@ internal class Reflexes(
     private class Run {
         var phase = Phase.BEGUN
 
-        /** The last outcome; null: none is known yet. */
+        /** True if the reflex was carried out, false if it failed, null if no outcome is known yet. */
         var isDone: Boolean? = null
     }
 
@@ -51,7 +55,8 @@ internal class Reflexes(
 
     /**
      * Notes that the newest percepts of the board on [port] meet the rules in [met], and no others.
-     * @param isMessage whether the percepts come from a message, which may arrive before the board's report, or from a report
+     *
+     * @param isMessage true if the percepts come from a message, false if they come from the board's report
      */
     fun perceived(port: OpenPort, met: Collection<CriticalRule>, isMessage: Boolean = true) {
         val due = lock.withLock {
@@ -70,10 +75,10 @@ internal class Reflexes(
         tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
     }
 
-    /** Forgets which rules are met, since they were met at another time or by another board. */
+    /** Forgets which rules are met. */
     fun forget() = keepOnly(emptyList())
 
-    /** Watches only [rules] from now on. Those that are met already still count as met. */
+    /** Watches only [rules] from now on. A rule that is already met stays met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {
@@ -83,13 +88,13 @@ internal class Reflexes(
     /** Returns true if the beliefs have changed since the last call of [beliefs]. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
-    /** Returns the outcomes of the reflexes whose rules are met, as `reflex(stop,done)` or `reflex(stop,failed)`. */
+    /** Returns the outcomes of the reflexes of met rules, as `reflex(stop,done)` or `reflex(stop,failed)`. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version
         runs.mapNotNull { (rule, run) -> run.isDone?.let { belief(rule, it) } }.distinct()
     }
 
-    /** Returns true if the computer must send the reflex of [run] now. The rule is met. */
+    /** Returns true if the computer must send the reflex of [run] now. The rule of [run] is met. */
     private fun isDue(run: Run, isMessage: Boolean, isBoards: Boolean): Boolean {
         val isDue = when (run.phase) {
             Phase.BEGUN, Phase.FAILED -> !isBoards
@@ -104,7 +109,7 @@ internal class Reflexes(
         val command = rule.reflex ?: return
         try {
             send(port, command) { end(rule, run, it) }
-        } catch (unforeseen: RuntimeException) { // sensing must go on
+        } catch (unforeseen: RuntimeException) { // sensing must continue
             end(rule, run, failureOf(unforeseen))
         }
     }
@@ -138,7 +143,6 @@ internal class Reflexes(
         private fun belief(rule: CriticalRule, isDone: Boolean): Literal =
             ASSyntax.createLiteral(FUNCTOR, commandOf(rule.reflex.orEmpty()), ASSyntax.createAtom(if (isDone) DONE else FAILED))
 
-        /** Returns the command as a literal; if it is no literal, as a string. */
         private fun commandOf(text: String): Term = try {
             PerceptReader.read(text).takeIf { it.isGround && it.isLiteral && it !is InternalActionLiteral } ?: ASSyntax.createString(text)
         } catch (_: PerceptSyntaxException) {

@@ -34,12 +34,13 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The ports of one agent, the boards on them, and the agent's wishes: whether it perceives the boards, how often, and through which filter.
+ * The ports of one agent, the boards on them, and the agent's wishes. A wish says whether the agent perceives the boards, how often, or
+ * through which filter.
  *
- * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change, waiting threads are woken to read the
- * wishes again. Any thread may call the functions unless they say otherwise.
+ * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change, waiting threads are woken and read the
+ * wishes again. Any thread may call a function if its comment names no thread.
  *
- * @property maxPercepts the largest number of percepts of a board that the agent believes at once
+ * @property maxPercepts the largest number of percepts of one board that the agent believes at once
  * @param queues the agent's events and intentions
  */
 internal class AgentBoards(
@@ -64,16 +65,16 @@ internal class AgentBoards(
     var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
-    /** The filter of all boards that have no filter of their own; null: every percept passes. */
+    /** The filter of all boards that have no filter of their own; null if every percept passes. */
     @Volatile
     var filter: PerceptionFilter? = null
         private set
 
-    /** The published coupling of cycles and lines; null: separate threads sense the boards and write commands. */
+    /** Senses and sends on the agent's thread, as the published ARGO does; null if separate threads sense and send. */
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that the agent has perceived since its ports were last closed. Changed only when the ports in use change. */
+    /** All boards that the agent has perceived since it last closed its ports. Changes only with the ports in use. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
@@ -112,13 +113,11 @@ internal class AgentBoards(
 
     fun perceives(board: Board) = isPerceiving && board in current
 
-    /** Returns the board on [port], if the agent perceives it now. */
     fun boardOn(port: OpenPort): Board? = if (isPerceiving) inUseOn(port) else null
 
-    /** Returns the board on [port], if that port is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board, perceived now or before, that the agent calls [port]; null: there is none. */
+    /** Returns the board that the agent calls [port], even if the agent no longer perceives it; null if no board has this name. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
     /** Returns the perceived boards that may have sent [percept]. */
@@ -126,10 +125,10 @@ internal class AgentBoards(
         if (named.size == 1) named else named.filter { it.hadOrHas(percept) }
     }
 
-    /** Returns the port that the agent calls [port], if it is open or belongs to a perceived board; null: there is none. */
+    /** Returns the open port, or the perceived board's port, that the agent calls [port]; null if there is none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
-    /** Returns true if the board on [port], an [OpenPort], answers: the port is on and not stale. */
+    /** Returns true if the board on [port], an [OpenPort], answers. The state of its port is on and not stale. */
     fun answers(port: Any): Boolean =
         port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && inUseOn(port)?.let { port.terms.any(it::isStale) } != true
 
@@ -155,7 +154,7 @@ internal class AgentBoards(
         }
     }
 
-    /** Returns true if [percept] belongs to [board], or is in its namespace and belongs to no board that the agent perceives. */
+    /** Returns true if [percept] belongs to [board], or if it is in the namespace of [board] and belongs to no perceived board. */
     private fun isOf(board: Board, percept: Literal): Boolean {
         if (!areSeveral) return true
         if (!board.isNamed(percept)) return false
@@ -163,12 +162,12 @@ internal class AgentBoards(
         return claiming.isEmpty() || board in claiming
     }
 
-    /** Returns a new warning for the agent's log, which is not repeated while its cause lasts. */
+    /** Returns a new warning for the agent's log. The warning is not repeated while its cause lasts. */
     fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
 
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Starts or stops perceiving. After a stop the computer sends no reflexes; a board carries out its own until its rules are removed. */
+    /** Starts or stops perceiving. After a stop the computer sends no reflexes. A board carries out its own until its rules are removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
@@ -177,7 +176,7 @@ internal class AgentBoards(
         dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before its next perception
     }
 
-    /** Sets the sensing interval of [board] in ms; if [board] is null, that of all boards. 0: as fast as the line allows. */
+    /** Sets the sensing interval of [board] in ms. If [board] is null, sets it for all boards. 0 means as fast as the line allows. */
     fun senseEvery(intervalMs: Int, board: Board? = null) {
         if (board != null) {
             board.ownIntervalMs = intervalMs
@@ -188,21 +187,24 @@ internal class AgentBoards(
         renewLines()
     }
 
-    /** Uses [filter] for all boards from the next perception on; null: no filter. Called by the agent's thread. */
+    /**
+     * Uses [filter] for all boards from the next perception on. If [filter] is null, every percept passes. Called by the agent's thread.
+     */
     fun perceiveThrough(filter: PerceptionFilter?) {
         this.filter = filter
         boards.forEach(Board::perceiveAsOthers)
         renewLines()
     }
 
-    /** Uses [filter] only for [board], from the next perception on; null: no filter. Called by the agent's thread. */
+    /**
+     * Uses [filter] only for [board], from the next perception on. If [filter] is null, every percept passes. Called by the agent's thread.
+     */
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
         renewLines()
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Makes the threads of each line read the agent's wishes again. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
     /** Begins a perception of the agent, on its thread. Returns true if the perceived boards may have changed since the last perception. */
@@ -213,15 +215,14 @@ internal class AgentBoards(
         return wereOthers
     }
 
-    /** Notes that the agent has no more beliefs about former boards. */
     fun forgetFormer() {
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
 
-    /** Returns the ms until the agent has something to perceive even without news from a board; null: it will have nothing. */
+    /** Returns in how many ms the agent has something to perceive, even if no board sends news; null if nothing becomes due. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Sends [text] on [port]. No snapshot waits for this command. The caller must [follow][Transmission.follow] the result. */
+    /** Sends [text] on [port]. No snapshot waits for this command. Call [follow][Transmission.follow] on the result. */
     fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
         val issued = observers.commandIssued(port.link.port, text)
         val commands = lines[port]?.commands
@@ -242,7 +243,7 @@ internal class AgentBoards(
 
     /**
      * Notes that a pause of the agent begins or ends. After a pause, the agent perceives only the newest snapshot of each board. Called by
-     * its thread.
+     * the agent's thread.
      */
     fun stands(isStanding: Boolean) {
         this.isStanding = isStanding
@@ -267,7 +268,7 @@ internal class AgentBoards(
             lines[port]?.sensing?.start()
         }
 
-        /** Perceives the boards on the ports in use. Boards perceived before are not disturbed, unless their ports were opened anew. */
+        /** Perceives the boards on the ports in use. A board that was perceived before is disturbed only if its port was opened again. */
         override fun portInUseChanged() {
             val before = current
             val renewed = LinkedHashSet<Board>()
@@ -295,7 +296,7 @@ internal class AgentBoards(
             if (it.namespace != null) hasNamespaces = true
             boards -= setOfNotNull(known)
             boards += it
-            it.renewFilter() // the agent may have changed its filter in the meantime
+            it.renewFilter() // the agent may have changed its filter while it did not perceive the board
         }
     }
 

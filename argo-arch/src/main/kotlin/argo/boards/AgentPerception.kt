@@ -11,14 +11,14 @@ import jason.bb.BeliefBase
 import java.util.concurrent.TimeUnit
 
 /**
- * An agent's perception of its [boards]: the beliefs about the boards, the ages of these beliefs, and the decisions of filters. For the
- * agent's thread only, unless a function says otherwise.
+ * An agent's perception of its [boards]: the beliefs about the boards, the ages of these beliefs, and the decisions of filters. A function
+ * without the note "Any thread" is for the agent's thread only.
  */
 internal class AgentPerception(private val boards: AgentBoards) {
     private val platform = boards.platform
     private var newlyCritical: List<Literal> = emptyList()
 
-    /** Takes in all news since the last call; returns true if [beliefs] may have changed. */
+    /** Takes in all news since the last call. Returns true if [beliefs] may have changed. */
     fun update(): Boolean {
         val areOthers = boards.perceiving()
         if (boards.isPerceiving) boards.current.forEach(Board::putDue)
@@ -41,7 +41,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
     fun hasNews(): Boolean =
         boards.areOthers || boards.states.hasNews() || boards.current.any(Board::hasNews) || boards.ready.areThere()
 
-    /** Of the percepts in [beliefs] that unify with [percept] under [un], returns the youngest and its age in ms; null: none unifies. */
+    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if none unifies. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
         val now = platform.clock.nanos()
         return boards.believed.mapNotNull { it.youngest(beliefs, percept, un, now) }.minByOrNull { (_, seen) -> now - seen }
@@ -49,8 +49,8 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the ms between the oldest and the newest reading that the agent believes now; null: it believes none. Boards that are off,
-     * have not answered in time or are stale do not count. Any thread.
+     * Returns the ms between the oldest and the newest reading that the agent believes now; null if it believes none. A board does not
+     * count if it is off, is stale, or has not answered in time. Any thread.
      */
     fun skewMs(): Long? {
         val readings = boards.current.filter { boards.answers(it.port) }.mapNotNull { it.sensedNanos }
@@ -66,7 +66,10 @@ internal class AgentPerception(private val boards: AgentBoards) {
         else explain(perceptText(percept.cloneNS(Literal.DefaultNS) as Literal), own)
     }
 
-    /** Explains why the filters of [from] keep or drop [percept]. Names the side that watches a deciding critical rule. Any thread. */
+    /**
+     * Explains why the filters of [from] keep or drop [percept]. If a critical rule decides, says whether computer or board watches it. Any
+     * thread.
+     */
     fun explain(percept: String, from: List<Board> = boards.current): String {
         val reasons = from.map { it.term to it.explain(percept) }
         val different = reasons.distinctBy { (_, why) -> why }
@@ -77,7 +80,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         }
     }
 
-    /** Returns the critical rules of the active filters, each with the side that watches it. Any thread. */
+    /** Returns the critical rules of the active filters, each with its watcher, which is the computer or the board. Any thread. */
     fun criticalRules(): List<WatchedRule> = boards.current.flatMap { it.criticalRules() }.distinct()
         .ifEmpty { boards.filter?.critical.orEmpty().map { WatchedRule(it, RuleWatcher.COMPUTER) } }
 }

@@ -33,47 +33,47 @@ import kotlin.concurrent.withLock
 
 /**
  * A board that an agent perceives or has perceived: the beliefs about it, its snapshots, its filter and its interval. All of these stay
- * when the device vanishes and returns. For the agent's thread only, unless a function says otherwise.
+ * when the device vanishes and returns. A function without the note "Any thread" is for the agent's thread only.
  *
  * @property term the agent's name for the port
  * @param port the line to the board
- * @param former the board whose own filter and interval this board inherits; null: the agent's filter and interval apply
+ * @param former the board that leaves its own filter and interval to this board; null if the agent's filter and interval apply
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
-    /** The board's own filter; if [filter] is null, every percept passes. */
+    /** The board's own filter. If [filter] is null, every percept passes. */
     private class OwnFilter(val filter: PerceptionFilter?)
 
-    /** The namespace of the board's percepts; null: the default namespace. */
+    /** The namespace of the board's percepts; null for the default namespace. */
     val namespace: String? = port.options.namespace
     private val space: Atom? = namespace?.let(ASSyntax::createAtom)
 
-    /** The port of the board; while the device is gone, a closed port. Any thread may read. */
+    /** The port of the board. While the device is missing, this is a closed port. Any thread may read it. */
     @Volatile
     var port: OpenPort = port
         private set
 
     private val believed = AtomicReference(BelievedPercepts.NONE)
 
-    /** The board's percepts that the agent believes. Any thread may read. */
+    /** The board's percepts that the agent believes. Any thread may read them. */
     override val sensed: List<Literal> get() = believed.get().percepts
 
-    /** The time at which the percepts in [sensed] arrived, by the platform's clock; null: there are none. Any thread may read. */
+    /** The time at which the percepts in [sensed] arrived, by the platform's clock; null if there are none. Any thread may read it. */
     val sensedNanos: Long? get() = believed.get().nanos
 
-    /** The board's own sensing interval in ms; null: the agent's interval applies. Any thread. */
+    /** The board's own sensing interval in ms; null if the agent's interval applies. Any thread. */
     @Volatile
     var ownIntervalMs: Int? = former?.ownIntervalMs
 
-    /** The sensing interval in ms. Any thread may read. */
+    /** The sensing interval in ms. Any thread may read it. */
     val intervalMs: Int get() = ownIntervalMs ?: agent.intervalMs
 
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
-    /** True if a filter, or `none`, was chosen for this board only. Any thread may read. */
+    /** True if a filter, or `none`, was chosen for this board only. Any thread may read it. */
     val hasOwnFilter: Boolean get() = ownFilter != null
 
-    /** The filter that applies to the board; null: every percept passes. Any thread may read. */
+    /** The filter that applies to the board; null if every percept passes. Any thread may read it. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
     val answer = ExpectedAnswer()
@@ -89,7 +89,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         handOver, reflexes, agent.log, agent.platform.clock,
     )
 
-    /** The actions that the board has registered, for each name the last one; null: they are not known. Any thread. */
+    /**
+     * The actions that the board has registered; null if unknown. If several have one name, only the last of them is included. Any thread.
+     */
     val actions: List<BoardAction>?
         get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
@@ -97,7 +99,6 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun knows(command: Literal): Boolean =
         actions.orEmpty().any { it.name == command.functor && (it.arguments == ANY || it.arguments == command.arity) }
 
-    /** The critical rules of the filter. Any thread. */
     val critical: List<CriticalRule> get() = percepts.critical
 
     /** The request to a board of version 2 of the protocol. Any thread. */
@@ -119,22 +120,23 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         this.port = port
     }
 
-    /** Forgets percepts that the agent has not perceived yet, since they belong to an earlier time or to another board. Any thread. */
+    /** Forgets percepts that the agent has not perceived yet. Called when these percepts are outdated or from another board. Any thread. */
     fun forget() = percepts.forget()
 
-    /** The agent begins or stops perceiving: forgets percepts that it has not perceived, and restarts the time until the board is stale. */
+    /**
+     * Forgets percepts that the agent has not perceived yet, and restarts the time until the board is stale. Called when perceiving begins
+     * or stops.
+     */
     fun beginAnew() {
         stale.renew()
         forget()
     }
 
-    /** Uses [filter] only for this board; null: no filter. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         ownFilter = OwnFilter(filter)
         renewFilter()
     }
 
-    /** Uses the agent's filter for all boards, in place of a filter for this board only. */
     fun perceiveAsOthers() {
         ownFilter = null
         renewFilter()
@@ -143,18 +145,20 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** Applies the board's changed filter from the next perception on. Any thread. */
     fun renewFilter() = choosing.withLock { percepts.switchTo(filter) }
 
-    /** Explains why the filter keeps or drops [percept]. If a critical rule decides, names the side that watches it. Any thread. */
+    /**
+     * Explains why the filter keeps or drops [percept]. If a critical rule decides, says whether computer or board watches it. Any thread.
+     */
     fun explain(percept: String): String {
         val explanation = percepts.explain(percept)
         val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
         return "$explanation; ${critical.watcher.word} watches it"
     }
 
-    /** Returns the critical rules of the filter, each with the side that watches it. Any thread. */
+    /** Returns the critical rules of the filter, each with its watcher, which is the computer or the board. Any thread. */
     fun criticalRules(): List<WatchedRule> =
         critical.map { WatchedRule(it, if (agent.isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER) }
 
-    /** Of the percepts in [beliefs] that unify with [percept] under [un], returns the youngest and when it was seen; null: none unifies. */
+    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its time; null if none unifies. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
         percepts.lastSeen.youngest(beliefs, percept, un, nowNanos)
 
@@ -173,10 +177,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /**
-     * Returns true if the agent need not be woken now, since the new snapshot waits for other boards' answers. The last of these answers
-     * wakes it.
-     */
+    /** Returns true if the new snapshot waits for other boards' answers. The last of these answers wakes the agent. */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
     /** Handles a percept that the board has reported. For the parameters and the result see [BoardPercepts.reported]. Any thread. */
@@ -188,28 +189,26 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     fun isReady(): Boolean = handOver.isReady()
 
-    /** Returns true if a snapshot is ready and need not wait for other boards. Any thread. */
+    /** Returns true if a snapshot is ready and must not wait for other boards. Any thread. */
     fun isUrgent(): Boolean = handOver.isUrgent()
 
-    /** Makes the newest snapshot the next one to be perceived: see [HandOver.catchUp]. */
+    /** Makes the newest snapshot the next one to be perceived, see [HandOver.catchUp]. */
     fun catchUp(): Int = handOver.catchUp()
 
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
         believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }
 
-    /** Returns true if [percept] is in this board's namespace. */
     fun isNamed(percept: Literal): Boolean = percept.ns == (space ?: Literal.DefaultNS)
 
-    /** Returns true if the agent believes [percept] of this board, or believed it before the last snapshot. */
     fun hadOrHas(percept: Literal): Boolean = percept in believed.get()
 
-    /** Recomputes whether the board is stale. Returns true if it has become stale or fresh, or if a reflex has an outcome. */
+    /** Recomputes whether the board is stale. Returns true if this has changed, or if a reflex has an outcome. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** Returns the ms until the agent has something to perceive of this board even without news from it; null: it will have nothing. */
+    /** Returns after how many ms the agent must perceive this board even without a message; null if nothing becomes due. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
@@ -219,7 +218,6 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun hasNews(): Boolean = stale.hasNews() || reflexes.hasNews() ||
         agent.perceives(this) && percepts.dueInMs() == 0L
 
-    /** Returns true if the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =

@@ -18,7 +18,9 @@ import javino.link.BoardListener
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** The users of one open port: sensing, commands, and rules on the board. All three work even if the agent does not perceive the board. */
+/**
+ * The users of one open port: sensing, commands, and rules on the board. All of them work even if the agent does not perceive the board.
+ */
 internal class BoardLine(private val port: OpenPort, private val agent: AgentBoards, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
@@ -26,7 +28,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     val described = DescribedPercepts(port) { agent.log.warning(it) }
 
-    private val warning = agent.rateLimitedWarning() // about reports that are left out; each rule is a kind
+    private val warning = agent.rateLimitedWarning() // about reports that are left out; each rule is a kind of warning
 
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
@@ -75,7 +77,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         if (!isTaken) tellLeftOut(critical, outcome, percept)
     }
 
-    /** Logs that a report is left out: the agent no longer wants it, which the board does not know yet. */
+    /** Logs that a report is not used. The board does not know yet that the agent no longer wants the report. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
         warning.report(of) {
@@ -85,7 +87,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         }
     }
 
-    /** Asks again for what the agent wants of the board: its rules, interval and filter. Any thread. */
+    /** Passes the agent's wishes for the board on again: its rules, interval and filter. Any thread. */
     fun renew() {
         rules.renew()
         sensing.wake()

@@ -6,9 +6,9 @@ import javino.PortException
 import javino.PortInterruptedException
 
 /**
- * The kinds of percepts that the board on [port] describes. If nobody calls [get], since nobody watches the agent, the board is not asked.
- * After the first call, it is asked once in each session, between two requests for percepts. Since sensing waits for the answer, a board
- * that has not answered quickly is not asked again while the port is open.
+ * The kinds of percepts that the board on [port] describes. The board is asked only after the first call of [get], since nobody needs the
+ * kinds before. The board is asked once in each session, between two requests for percepts. Sensing waits for the answer. If the board does
+ * not answer in time, it is not asked again while the port is open.
  *
  * @param warn called at most once, with the reason why the board's kinds are not known
  */
@@ -24,13 +24,13 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
 
     private var isGivenUp = false // only for the sensing thread
 
-    /** Returns the kinds; empty: they are not known yet, or the board describes none. Any thread. */
+    /** Returns the kinds. The list is empty if they are not known yet, or if the board describes none. Any thread. */
     fun get(): List<PerceptKind> {
         isWanted = true
         return kinds
     }
 
-    /** Notes that a session has begun, with the same or another board. Any thread. */
+    /** Notes that a session has begun. Any thread. */
     fun renew() {
         isAsked = false
     }
@@ -50,7 +50,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
     }
 
     private companion object {
-        /** The ms for which sensing waits for a description: less than the default time limit for an answer. */
+        /** How many ms sensing waits for a description. The default time limit for an answer is longer. */
         const val LIMIT_MS = 300
     }
 }

@@ -9,14 +9,15 @@ import argo.sensing.Sensing
 import java.util.concurrent.TimeUnit
 
 /**
- * The published coupling of reasoning cycles and lines, [argo.sensing.SensingPolicy.IN_CYCLE]: once in each interval the agent's own thread
- * asks one board after the other, and waits for each answer. Commands are written at once. Only the agent's thread may call [perceiving].
+ * Couples reasoning cycles and lines as the published ARGO does, see [argo.sensing.SensingPolicy.IN_CYCLE]. Once in each interval, the
+ * agent's own thread asks the boards one by one, and waits for each answer. Commands are written at once. Only the agent's thread may call
+ * [perceiving].
  */
 internal class InCycle(private val platform: Platform, private val waker: Waker) {
     private var lastStart: Long? = null
 
     /**
-     * Asks the boards, if the interval is over. [sensings] returns the sensing of each port in use; nothing while perceiving is blocked.
+     * Asks the boards if the interval is over. [sensings] returns the sensing of each port in use, or nothing while perceiving is blocked.
      */
     fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>) {
         val start = platform.clock.nanos()
@@ -25,7 +26,7 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         if (toAsk.isEmpty()) return
         lastStart = start
         toAsk.forEach(Sensing::exchange)
-        waker.wakeIn(intervalMs.toLong()) // otherwise an agent without other work would not perceive again
+        waker.wakeIn(intervalMs.toLong()) // otherwise an idle agent would not perceive again
     }
 
     fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission = commands.sendNow(text, options)

@@ -7,9 +7,9 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady]. A ready snapshot waits up to
- * [MAX_NANOS] for boards whose answers are [near][ExpectedAnswer.isNear], so that readings of several boards at one instant are perceived
- * together. Only the agent's thread may call [take].
+ * Decides which [ready][Board.isReady] snapshots of its [boards] an agent perceives now. A ready snapshot waits up to [MAX_NANOS] for
+ * boards with a [near][ExpectedAnswer.isNear] answer. The agent then perceives the readings of one instant together. Only the agent's
+ * thread may call [take].
  *
  * @param boards returns the boards that the agent perceives
  * @param wake wakes the agent until `seen` returns true; called when a snapshot has waited too long
@@ -19,7 +19,7 @@ internal class SimultaneousSnapshots(
     private val boards: () -> List<Board>,
     private val wake: (seen: () -> Boolean) -> Unit,
 ) {
-    /** A wait for the answers of [boards]. Each answer removes its board here, so no answer need look at all boards. */
+    /** A wait for the answers of [boards]. Each answer removes its board from the wait. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
@@ -30,13 +30,11 @@ internal class SimultaneousSnapshots(
         fun lasts(nowNanos: Long) = awaited.isNotEmpty() && nowNanos - beganNanos < MAX_NANOS
     }
 
-    /** The present wait; null: no snapshot waits. */
+    /** The current wait; null if no snapshot waits. */
     private val wait = AtomicReference<Wait?>()
 
-    /** Returns true if [take] would return a snapshot. */
     fun areThere(): Boolean = boards().let { boards -> boards.any(Board::isReady) && !areAwaiting(boards) }
 
-    /** Removes and returns the snapshots that the agent perceives now. */
     fun take(): List<Snapshot> {
         val boards = boards()
         if (areAwaiting(boards)) return emptyList()
@@ -49,7 +47,7 @@ internal class SimultaneousSnapshots(
         wait.get()?.leave(board)
     }
 
-    /** Returns true if the snapshot of [board], now ready, must wait for other boards. If it waits too long, the agent is woken. */
+    /** Returns true if the ready snapshot of [board] must wait for other boards. A timer wakes the agent after too long a wait. */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
     /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first true result begins the wait. */
@@ -61,13 +59,13 @@ internal class SimultaneousSnapshots(
         return (wait.get() ?: begin(boards, now))?.lasts(now) == true
     }
 
-    /** Begins a wait and returns it; null: no answer is near. If an awaited answer does not come, a timer wakes the agent. */
+    /** Begins a wait and returns it; null if no answer is near. If an awaited answer does not come, a timer wakes the agent. */
     private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
         val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // these answers came before other threads could see the wait
+        awaited.filter(Board::isReady).forEach(begun::leave) // these boards answered before other threads could see the wait
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }

@@ -17,17 +17,19 @@ internal data class Failure(override val error: String, override val cause: Stri
     fun of(call: String): JasonException = JasonException("$call: $cause", ASSyntax.createAtom(error))
 }
 
-/** The error if a board has no answer to a command whose answer was asked for. */
+/** The error if an answer was requested, and the board has none. */
 internal const val NO_ANSWER = "no_answer"
 
-/** Returns this failure; if the port's device has gone, with a sentence about the search for the device. */
+/** Returns this failure. If the port's device has gone, the cause also says that ARGO searches for the device. */
 internal fun Failure.whileLost(): Failure =
     if (error == "port_gone") copy(cause = "$cause; a device that was unplugged is looked for, and its port opened again") else this
 
-/** Returns the failure for an argument of a wrong kind. */
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 
-/** Returns the failure of a plan for [trouble] with a port. The error for an exception that no transport should throw is `port_failed`. */
+/**
+ * Returns the failure of a plan for [trouble] with a port. If [trouble] is an exception that no transport should throw, its error is
+ * `port_failed`.
+ */
 internal fun failureOf(trouble: Throwable): Failure = Failure(
     errorOf(trouble),
     if (trouble is PortException) trouble.message ?: trouble.javaClass.simpleName else "$trouble",

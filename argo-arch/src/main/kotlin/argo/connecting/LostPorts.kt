@@ -9,10 +9,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The lost ports of one agent: their devices have gone. Each port has its own searching thread, so a host that does not answer delays no
+ * The lost ports of one agent. Their devices have gone. Each port has its own searching thread, so a host that does not answer delays no
  * other search. Safe for use by several threads.
  *
- * @param reopen opens a port whose device is present, and removes the port from the lost ports
+ * @param reopen opens a port after its device has returned, and removes the port from the lost ports
  * @param warn receives warnings: a returned device cannot be opened (once for each kind of reason), or a port is given up
  */
 internal class LostPorts(
@@ -45,7 +45,7 @@ internal class LostPorts(
         givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
     }
 
-    /** Forgets all lost ports. Those that are not closed yet are still closed later. */
+    /** Forgets all lost ports. Ports that are not closed yet are still closed later. */
     fun clear() = lock.withLock { lost.clear() }
 
     /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]. Returns when the device is free. */
@@ -76,7 +76,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // closed only here, since the thread that notices the loss may not wait
+            close(port.port) // closed here, since the thread that notices the loss must not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -85,9 +85,7 @@ internal class LostPorts(
     }
 }
 
-/**
- * Does [work] and returns the exception that it throws, or null. So no exception can end the thread that opens ports or searches for one.
- */
+/** Does [work] and returns the exception that it throws, or null. Protects the threads that open ports or search for devices. */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()
     null

@@ -40,19 +40,18 @@ internal class OpenPort(
         namesByTerm[term] = name
     }
 
-    /** Changes the namespace of the board's percepts; null: the default namespace. */
+    /** Changes the namespace of the board's percepts; null for the default namespace. */
     fun renamed(namespace: String?) {
         options = options.copy(namespace = namespace)
     }
 
-    /** Closes the link, then its user. Waits for the transport. Idempotent; any thread may call. */
+    /** Closes the link, then its user. Waits for the transport. Further calls have no effect. Any thread may call this function. */
     fun close() {
         link.close()
         user.close()
     }
 }
 
-/** The user of an agent's ports. */
 internal interface PortUser {
     /** Makes the user of [port]. The user starts its work only at [opened], and is closed with the port. */
     fun use(port: OpenPort): AutoCloseable
@@ -61,8 +60,7 @@ internal interface PortUser {
     fun opened(port: OpenPort)
 
     /**
-     * Notes that the ports in use have changed: other ports or no ports are in use, or the same devices were opened anew. Called by the
-     * thread that made the change.
+     * Notes that other ports or no ports are in use, or that devices in use were opened again. Called by the thread that made the change.
      */
     fun portInUseChanged()
 }

@@ -6,15 +6,15 @@ import kotlin.concurrent.withLock
 
 /**
  * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]. One thread at a time opens a device. An
- * opening over a network may take seconds. So if the agent asks for a device that a search is opening, that opening is interrupted. Safe
- * for use by several threads.
+ * opening over a network may take seconds. If the agent asks for a device that a search is opening, the search's opening is interrupted.
+ * Safe for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)
     private val changed = lock.newCondition()
     private val underWay = HashMap<String, Thread>()
 
-    /** Does [work], which opens [device], unless another thread is opening it. */
+    /** Does [work], which opens [device]. If another thread is opening the device, does nothing. */
     fun ifFree(device: String, work: () -> Unit) {
         if (lock.withLock { underWay.putIfAbsent(device, Thread.currentThread()) } == null) doing(device, work)
     }
@@ -41,7 +41,7 @@ internal class PortOpenings(private val platform: Platform) {
                 underWay.remove(device)
                 changed.signalAll()
             }
-            Thread.interrupted() // the interrupt was meant only for this work
+            Thread.interrupted() // the interrupt was only for this work
         }
     }
 

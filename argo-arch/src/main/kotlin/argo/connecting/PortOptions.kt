@@ -14,10 +14,10 @@ import javino.link.LinkSettings
  *
  * @property link the settings of the link
  * @property timeoutMs the time limit for an answer, in ms
- * @property listens whether the board sends percepts without requests; if so, ARGO sends no requests
- * @property hasBaud whether a baud rate is given; if not, [on] sets the usual rate of the port's kind
- * @property namespace the namespace of the board's percepts; null: the default namespace
- * @property staleMs ms without a message after which `stale(Port)` is believed; 0: never; null: the default
+ * @property listens whether the board sends percepts without requests; if true, ARGO sends no requests
+ * @property hasBaud whether a baud rate is given; if false, [on] sets the usual rate of the port's kind
+ * @property namespace the namespace of the board's percepts; null for the default namespace
+ * @property staleMs the ms without a message after which `stale(Port)` is believed; 0 for never, null for the default
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
@@ -28,30 +28,29 @@ internal data class PortOptions(
     val namespace: String? = null,
 ) {
     companion object {
-        /** The default time limit for an answer in ms: three times the time that twelve percepts take at 9600 baud. */
+        /** The default time limit for an answer in ms: three times as long as twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
-        /** Reads a list such as `[baud(115200), timeout(500)]`. Throws [ArgumentException] if [term] is no list of known options. */
+        /** Reads a list such as `[baud(115200), timeout(500)]`. Throws [ArgumentException] if [term] is not a list of known options. */
         fun of(term: Term): PortOptions = withOptions(PortOptions(), term, "[baud(115200)]", KNOWN) { with(it) }
     }
 
     /**
-     * Returns the link's settings. A link that is not [paced] uses version 1, as in the published ARGO, unless the options ask for version
-     * 2.
+     * Returns the link's settings. If [paced] is false, the link uses version 1, as in the published ARGO. The options may set version 2.
      */
     fun linkSettings(paced: Boolean): LinkSettings {
         val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
         return link.withPaced(paced).withProtocol(version)
     }
 
-    /** Returns these options for [port]. If no baud rate is given, they get the usual rate of the port's kind. */
+    /** Returns these options for [port]. If no baud rate is given, the result has the usual rate of the port's kind. */
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
-    /** Returns true if [other] opens a port in the same way. The namespaces may differ. */
+    /** Returns true if [other] opens a port alike. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
-    /** The list from which [of] reads these options. Apart from the baud rate, it contains only options that differ from the default. */
+    /** The list from which [of] reads these options: the baud rate, if one is given, and all options that differ from the default. */
     val text: String
         get() = LinkSettings.defaults().let { usual ->
             listOfNotNull(

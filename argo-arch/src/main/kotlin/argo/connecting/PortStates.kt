@@ -11,7 +11,7 @@ internal enum class PortStatus(val word: String) {
     /** The port is open, and no error or timeout has followed the last answer. */
     ON("on"),
 
-    /** The port is not open: opening failed, or its device has gone. */
+    /** The port is not open, since opening failed or its device has gone. */
     OFF("off"),
 
     /** The port is open, but the board did not answer in time. */
@@ -24,7 +24,8 @@ internal enum class PortStatus(val word: String) {
 
 /**
  * The states of an agent's ports, believed as `port(P,on)`, `port(P,off)` or `port(P,timeout)`. Safe for use by several threads.
- * @param changed called after each change, without a lock, with the port, its new state and the reason or null
+ *
+ * @param changed called after each change, without a lock, with the port, its new state, and the reason or null
  */
 internal class PortStates(private val changed: (Term, PortStatus, String?) -> Unit) {
     private val lock = ReentrantLock()
@@ -33,9 +34,10 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     private var believedVersion = 0L
 
     /**
-     * Sets the state of [port], the agent's term for a port; [reason] is for the log.
+     * Sets the state of [port], the agent's term for a port. [reason] is for the log.
      *
-     * @param isHeld returns true if the agent still has the port; if not, no state is set, so a port that [clear] has removed stays removed
+     * @param isHeld returns true if the agent still has the port. If false, the state is not set. So a port that [clear] has removed stays
+     * removed
      */
     fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {
@@ -56,7 +58,7 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
 
     fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
 
-    /** Returns the state of the port that has one of [names]; null: it is not known. */
+    /** Returns the state of the port that has one of [names]; null if it is not known. */
     fun statusOf(names: Collection<Term>): PortStatus? = lock.withLock { names.firstNotNullOfOrNull { states["$it"]?.second } }
 
     fun beliefs(): List<Literal> = lock.withLock {

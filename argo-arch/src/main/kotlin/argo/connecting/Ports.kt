@@ -17,11 +17,12 @@ import kotlin.concurrent.withLock
  * The ports that one agent holds open, and the ports in use.
  *
  * Links stay open until [closeAll], since opening a port resets most boards. When the device of a lost port returns, the port is opened
- * again with its options; while the device is missing, every call on the port fails. Opening and closing may block. So a sequential
- * executor carries out the agent's requests; the ports of one request are opened at once. Each lost port has its own thread. Safe for use
- * by several threads.
+ * again with its options. While the device is missing, every call on the port fails.
  *
- * @param owner the agent's name, for the error of another agent that asks for the same port
+ * Opening and closing may block, so a sequential executor carries out the agent's requests. The ports of one request are opened in
+ * parallel. Each lost port has its own thread. Safe for use by several threads.
+ *
+ * @param owner the agent's name, for the error when another agent asks for one of its ports
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens ports, and schedules the search for lost ones
  * @param warn receives warnings that the states of ports do not show, such as why a returned device cannot be opened
@@ -53,29 +54,29 @@ internal class Ports(
 
     private val choices = AtomicInteger()
 
-    /** The number of calls so far that have chosen or closed ports. */
+    /** How many calls have chosen or closed ports so far. */
     val choicesSoFar: Int get() = choices.get()
 
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
 
     /**
-     * Puts the port [name] in use, on another thread; opens it if necessary.
+     * Puts the port [name] in use, on another thread. Opens the port if necessary.
      *
      * @param term the port as the agent calls it
-     * @param options the options of the port; null: the options that the agent gave last
-     * @param outcome called once by another thread: with null, or with the reason why the port cannot be used. Not called if the agent is
+     * @param options the options of the port; null for the options that the agent gave last
+     * @param outcome called once by another thread, with null or with the reason why the port cannot be used. Not called if the agent is
      * being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
     /**
-     * Puts the ports [wanted] in use, in their order. Opens the closed ones, all at the same time; each port is in use as soon as it is
-     * open. All other ports are no longer in use once the first wanted port is. If a port in use is wanted but cannot be opened, it stays
-     * in use, and the search for it goes on.
+     * Puts the ports [wanted] in use, in their order. Opens the closed ones in parallel. Each port is in use as soon as it is open. When
+     * the first wanted port is in use, all ports that are not wanted leave use. If a port in use is wanted but cannot be opened, it stays
+     * in use, and the search for it continues.
      *
-     * @param outcome called once by another thread when all are open or have failed: with null, or with the reason why some ports are not
-     * open. Not called if the agent is being stopped
+     * @param outcome called once by another thread when each port is open or has failed. Its argument is null, or the reason why some ports
+     * are not open. Not called if the agent is being stopped
      */
     fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
 
@@ -102,7 +103,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Combines the failures of some of the [wanted] ports into one failure; null: no port failed. */
+    /** Combines the failures of some of the [wanted] ports into one failure; null if no port failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second
@@ -113,7 +114,7 @@ internal class Ports(
         )
     }
 
-    /** Opens [wanted] and calls [use], with [choosing] held, to put it in use. Returns the reason if the port cannot be opened. */
+    /** Opens [wanted], and calls [use], with [choosing] held, to put it in use. Returns the reason if the port cannot be opened. */
     private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(wanted.name)
@@ -140,10 +141,7 @@ internal class Ports(
         }
     }
 
-    /**
-     * Opens the port of [held] anew, with the options [wanted]. If the port cannot be opened with them, opens it with the options of
-     * [held].
-     */
+    /** Opens the port of [held] with the options [wanted]. If the opening fails, opens the port with the options of [held] again. */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
         if (held == null) return openNew(key, name, wanted, mapOf(term to name))
         forget(held)
@@ -165,7 +163,7 @@ internal class Ports(
         if (trouble != null) lose(port, trouble)
     }
 
-    /** @param before the lost port that this opening replaces; null: none */
+    /** @param before the lost port that this opening replaces; null if there is none */
     private fun openNew(key: String, name: String, options: PortOptions, names: Map<Term, String>, before: LostPort? = null): OpenPort {
         val isFull = lock.withLock { (open.size + opening >= MAX_PORTS).also { if (!it) opening++ } }
         if (isFull) throw TooManyPortsException("an agent holds at most $MAX_PORTS ports; argo.port(none) closes them")
@@ -186,7 +184,7 @@ internal class Ports(
         return port
     }
 
-    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up the lost ports that were lost first. */
+    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up the ports that were lost first. */
     private fun noteReturn(port: OpenPort, term: Term, name: String) {
         port.addName(term, name)
         lost.removeOthers(term, port)
@@ -194,19 +192,19 @@ internal class Ports(
         report(port, PortStatus.ON)
     }
 
-    /** Sets the state of [port] under each of its names. Does nothing for a port that the agent no longer holds. */
+    /** Sets the state of [port] under each of its names. Does nothing if the agent no longer holds the port. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
         port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
     /**
-     * Notes that the device of [port] has gone, as [trouble] shows, and searches for the device. Does nothing if the loss is noted already.
-     * Never waits for the driver: another thread closes the port.
+     * Notes that the device of [port] has gone, as [trouble] shows, and searches for the device. Does nothing if the loss is already noted.
+     * Never waits for the driver, since another thread closes the port.
      */
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
     /**
-     * Closes [port] and searches for its device under each of the port's names. Does nothing if [isNews], called with the lock held,
-     * returns false.
+     * Closes [port] and searches for its device under each of the port's names. Calls [isNews] with the lock held. If [isNews] returns
+     * false, does nothing.
      */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
@@ -219,7 +217,7 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] with its options, on its searching thread. Its device may be open already, under another name. */
+    /** Opens [found] with its options, on its searching thread. The device may already be open under another name. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {
@@ -235,7 +233,7 @@ internal class Ports(
         noteReturn(port, found.term, found.name)
     }
 
-    /** Puts [port] in use in place of the [old] ports; called with [choosing] held. */
+    /** Puts [port] in use in place of the [old] ports. Called with [choosing] held. */
     private fun replaceInUse(port: OpenPort, old: (PortInUse) -> Boolean) {
         if (inUse.none(old)) return
         inUse = inUse.map { if (old(it)) it.copy(port = port) else it }
@@ -248,8 +246,8 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports on another thread, which finally calls [closed]. Afterwards no port is in use, none is searched for, and no belief
-     * about a port remains.
+     * Closes all ports on another thread, which finally calls [closed]. Afterwards no port is in use, ARGO searches for no port, and no
+     * belief about a port remains.
      */
     fun closeAll(closed: () -> Unit) = inTurn {
         closeNow()
@@ -269,7 +267,7 @@ internal class Ports(
             states.clear()
             user.portInUseChanged()
             lock.withLock {
-                lost.clear() // a port may have been lost after the call above
+                lost.clear() // a port may have been lost after the first clear
                 open.values.toList().also { open.clear() }
             }
         }
@@ -279,8 +277,8 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports for good, including those that are being opened. Another agent that asks for one of these ports waits until it is
-     * closed. Idempotent.
+     * Closes all ports for good, even ports that are still being opened. Another agent that asks for one of these ports waits until it is
+     * closed. Further calls have no effect.
      */
     fun stop() {
         lock.withLock {
@@ -294,7 +292,7 @@ internal class Ports(
     }
 
     companion object {
-        /** The largest number of ports of one agent: the paper names 127 boards. */
+        /** The largest number of ports of one agent. The ARGO paper names 127 boards. */
         const val MAX_PORTS = 127
     }
 }
@@ -304,12 +302,10 @@ internal class Ports(
  *
  * @property term the port as the agent calls it
  * @property name the name by which the transport opens the port
- * @property options the port's options; null: the options that the agent gave last
+ * @property options the port's options; null for the options that the agent gave last
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
 
-/** A port in use, with the term by which the agent chose it. */
 internal data class PortInUse(val term: Term, val port: OpenPort)
 
-/** An agent asks for more ports than it may hold. */
 private class TooManyPortsException(message: String) : Exception(message)

@@ -16,8 +16,8 @@ import jason.bb.ChainBBAdapter
 import java.util.IdentityHashMap
 
 /**
- * Exchanges the agent's program for [program], which has been read from the files of [order]: see [Order.Reload]. The agent itself reads
- * only parts that have changed. If it throws [OrderRefusedException], the agent is unchanged.
+ * Exchanges the agent's program for [program], which was read from the files of [order], see [Order.Reload]. The agent itself reads only
+ * the parts that have changed. If this function throws [OrderRefusedException], the agent is unchanged.
  */
 internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText): Outcome {
     val files = order.files.mapTo(HashSet(order.gone)) { it.address }
@@ -32,18 +32,18 @@ internal fun TransitionSystem.reload(order: Order.Reload, program: ProgramText):
     val now = plans.now(shortened.without, read)
     try {
         if (now != before) library.replaceBy(now)
-    } catch (refused: JasonException) { // such as a label that a plan added at run time has already
+    } catch (refused: JasonException) { // for example, a plan added at run time already has the label
         library.replaceBy(before)
         throw OrderRefusedException(refused.message.orEmpty())
     }
-    if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason keeps only one such listener
+    if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason keeps only one of these listeners
     val rules = ExchangedRules(ag.bb.inMemory, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
     return Outcome(null, listOf(plans.told()) + rules.exchange())
 }
 
 /**
- * The part of this belief base that is in memory and holds all rules. A database, as in `JDBCPersistentBB`, is left out: it has beliefs of
- * earlier runs, may be large or cannot be reached, and does not allow removals during an iteration.
+ * The part of this belief base that is in memory and holds all rules. A database, as in `JDBCPersistentBB`, is left out. A database
+ * contains beliefs of earlier runs, may be large or unreachable, and allows no removals during an iteration.
  */
 internal val BeliefBase.inMemory: BeliefBase get() = (this as? ChainBBAdapter)?.lastBB ?: this
 
@@ -63,13 +63,13 @@ private fun TransitionSystem.readParts(files: List<ProgramFile>): Pair<List<Plan
 }
 
 /**
- * Makes [address] the source file of plans that Jason's patterns have made. For these, Jason notes no file, or [source], the agent's
- * `aslSrc`.
+ * Makes [address] the source file of plans from Jason's patterns. For these plans Jason notes no file, or the agent's `aslSrc`, which is
+ * [source].
  */
 internal fun List<Plan>.fileless(address: String, source: String) =
     filter { it.sourceFile.isEmpty() || it.sourceFile == source }.forEach { it.sourceFile = address }
 
-/** Returns the rule that Jason makes of [belief]; null: Jason keeps it as a belief. */
+/** Returns the rule that Jason makes of [belief]; null if Jason keeps it as a belief. */
 private fun ruleOf(belief: Literal): Rule? = when {
     belief is Rule -> belief
     belief.isGround -> null
@@ -94,12 +94,12 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
 
     private val isNew = drafted.size - like.size
 
-    /** The plans in [drafted] that the agent has already. */
+    /** The plans in [drafted] that the agent already has. */
     val kept: Set<Plan> get() = like.keys
 
     /**
-     * Returns all plans of the agent in their order. The program's plans are where its first plan was before. [read] are the plans that the
-     * agent has read anew: all plans in [drafted] except those in [without].
+     * Returns all plans of the agent in their order. The new program's plans take the position of the old program's first plan. [read] are
+     * all plans in [drafted] except those in [without].
      */
     fun now(without: Set<Plan>, read: List<Plan>): List<Plan> {
         val others = read.iterator()
@@ -108,7 +108,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
         return first + program + before.drop(first.size).filterNot(isOfProgram)
     }
 
-    /** Returns the agent's plan that is like [plan], and gives its steps the lines of the steps in [plan]; null: there is none. */
+    /** Returns the agent's plan that is like [plan], with the line numbers of [plan]; null if there is none. */
     private fun takeLike(plan: Plan): Plan? {
         val candidates = left[keyOf(plan)] ?: return null
         val found = candidates.indexOfFirst { it.sourceFile == plan.sourceFile && isLike(it, plan) }
@@ -124,7 +124,6 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
 
     private fun keyOf(plan: Plan): Any = plan.trigger.let { if (it.literal.isVar) it.type else it.predicateIndicator }
 
-    /** Returns a line that tells a person how many plans have changed. */
     fun told(): String {
         val gone = left.values.sumOf { it.size }
         val changed = minOf(gone, isNew)
@@ -138,7 +137,7 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
 
 /** The rules of a program in [beliefs], and the rules [read] from its new text. All rules of a predicate are exchanged together. */
 private class ExchangedRules(private val beliefs: BeliefBase, private val read: List<Rule>, private val isOfProgram: (Rule) -> Boolean) {
-    /** Exchanges the rules that differ. Returns a line for a person if any rules differ. */
+    /** Exchanges the rules that differ. If any differ, returns a line for a person. */
     fun exchange(): List<String> {
         val before = beliefs.asSequence().filterIsInstance<Rule>().filter(isOfProgram).groupBy { it.predicateIndicator }
         val now = read.groupBy { it.predicateIndicator }

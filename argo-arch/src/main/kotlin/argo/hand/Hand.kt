@@ -19,19 +19,23 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
     private val given = CompletionInbox<Given>(wake)
     private val taken = ArrayDeque<Given>()
 
-    /** Returns true if no order waits. Any thread may call. */
+    /** Returns true if no order waits. Any thread may call this function. */
     fun isEmpty(): Boolean = given.isEmpty()
 
     /**
-     * Keeps [order] for the agent's next cycle. The agent's thread then calls [done] once. Any thread may call [give].
-     * @param program the program that was read from the files of a reload; null: the agent's thread reads the files
+     * Keeps [order] for the agent's next cycle. The agent's thread then calls [done] once. Any thread may call this function.
+     *
+     * @param program the program that was read from the files of a reload; if null, the agent's thread reads the files
      */
     fun give(order: Order, program: ProgramText? = null, done: (Outcome) -> Unit) = given.put(Given(order, program, done))
 
-    /** Removes and returns the orders that wait, in sequence. For the agent's thread, like [carryOut]. */
+    /** Removes and returns the waiting orders, in sequence. Only for the agent's thread. */
     fun takeAll(): List<Order> = given.takeAll().also { taken += it }.map { it.order }
 
-    /** Lets the agent of [ts] carry out [order], and tells the outcome to the order's giver. In a replay, an order has no giver. */
+    /**
+     * Lets the agent of [ts] carry out [order], and tells the outcome to the order's giver. A replayed order has no giver. Only for the
+     * agent's thread.
+     */
     fun carryOut(order: Order, ts: TransitionSystem) {
         val given = taken.find { it.order === order }?.also(taken::remove)
         val outcome = attempt(order) { outcomeOf(order, given?.program, ts) }
@@ -48,7 +52,7 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
         is Order.BeginAnew -> ts.beginAnew(order.events)
     }
 
-    /** Does [work] for [order]. An exception of [work] becomes the outcome, so the agent goes on. */
+    /** Does [work] for [order]. An exception of [work] becomes the outcome, so the agent can continue. */
     fun attempt(order: Order, work: () -> Outcome): Outcome = try {
         work()
     } catch (refused: OrderRefusedException) {
@@ -61,5 +65,4 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
     }
 }
 
-/** The agent cannot carry out an order; the message says why. */
 internal class OrderRefusedException(message: String) : Exception(message)

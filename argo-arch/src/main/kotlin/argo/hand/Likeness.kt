@@ -15,12 +15,12 @@ import jason.asSyntax.UnnamedVar
 import jason.asSyntax.VarTerm
 
 /**
- * Compares a part of a program with a part of the program's newer text. They are alike if they differ only in lines, in numbers of unnamed
- * variables, and in labels given by Jason. An object compares only one pair of parts.
+ * Compares a part of a program with a part of the program's newer text. Two parts are alike if they differ only in lines, in numbers of
+ * unnamed variables, and in labels given by Jason. An object compares only one pair of parts.
  */
 internal class Likeness {
     private val parts = ArrayList<Pair<DefaultTerm, DefaultTerm>>()
-    private val there = HashMap<String, String>() // from unnamed variables of the first part to those of the second part
+    private val there = HashMap<String, String>() // maps unnamed variables of the first part to those of the second part
     private val back = HashMap<String, String>()
 
     fun isAlike(one: Plan, other: Plan): Boolean = pair(one, other) && isAlikeLabel(one.label, other.label) &&
@@ -30,7 +30,7 @@ internal class Likeness {
 
     fun isAlike(one: Rule, other: Rule): Boolean = isAlike(one as Any, other)
 
-    /** Gives the terms of the first part the lines that they have in the newer text. Returns true if any term has moved. */
+    /** Gives the terms of the first part their line numbers in the newer text. Returns true if any line number changes. */
     fun move(): Boolean = parts.filterNot { (one, other) -> isSame(one.srcInfo, other.srcInfo) }
         .onEach { (one, other) -> one.srcInfo = other.srcInfo }.isNotEmpty()
 

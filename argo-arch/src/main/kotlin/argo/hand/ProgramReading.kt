@@ -18,8 +18,9 @@ import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
 /**
- * Lets the agent [into] read a program as Jason does when an agent starts, but with the included files that [find] returns. [find] gets the
- * address of the including file, empty for the program itself, and the name of the included file. Only the thread of [into] may use it.
+ * Lets the agent [into] read a program as Jason does when an agent starts, but with the included files that [find] returns. The arguments
+ * of [find] are the address of the including file and the name of the included file. The address of the program itself is empty. Only the
+ * thread of [into] may use this object.
  *
  * @param around called for each part of a file (a plan, a belief, a goal or a directive); calls `read` to read the part
  */
@@ -30,7 +31,7 @@ internal class ProgramReading(
 ) : Includes {
     private val outer = KeptInclude.current
 
-    /** Reads [program]. Throws [OrderRefusedException], with the file and the line, if Jason cannot read it. */
+    /** Reads [program]. If Jason cannot read it, throws [OrderRefusedException] with the file and the line. */
     fun read(program: ProgramFile) {
         KeptInclude.install()
         KeptInclude.within(this) { parse(program, into, Literal.DefaultNS) }
@@ -82,7 +83,7 @@ internal class ProgramReading(
 /** A part of a file, from its first character to its last one. */
 internal class ProgramPart(val first: Place, val last: Place)
 
-/** The place of a character: its line and its column, from 1, as Jason's parser counts them. */
+/** The place of a character. Line and column count from 1, as in Jason's parser. */
 internal data class Place(val line: Int, val column: Int) : Comparable<Place> {
     override fun compareTo(other: Place) = compareValuesBy(this, other, Place::line, Place::column)
 }
@@ -90,7 +91,7 @@ internal data class Place(val line: Int, val column: Int) : Comparable<Place> {
 /** The number of columns between two tab stops of Jason's parser. */
 private val TAB = as2jTokenManager(SimpleCharStream(StringReader("\ta"))).nextToken.beginColumn - 1
 
-/** Returns this text with the characters of [parts] replaced by blanks; the parts do not overlap. */
+/** Returns this text with blanks in place of the characters of [parts]. The parts must not overlap. */
 internal fun String.without(parts: List<ProgramPart>): String {
     if (parts.isEmpty()) return this
     val text = StringBuilder(this)
@@ -111,5 +112,4 @@ internal fun String.without(parts: List<ProgramPart>): String {
     return "$text"
 }
 
-/** The name of the file, without the folder. */
 internal val ProgramFile.shortName: String get() = address.substringAfterLast('/').substringAfterLast('\\')

@@ -10,21 +10,22 @@ import java.net.MalformedURLException
 import java.net.URL
 import java.nio.file.Path
 
-/** A file of a program: its address for Jason, and its content. */
+/** A file of a program. [address] is its address for Jason, [bytes] its content. */
 class ProgramSource(val address: String, val bytes: ByteArray) {
     val text: String get() = bytes.decodeToString()
 
-    /** The path of the file; null: it is in a jar, on the class path or on another computer. */
+    /** The path of the file; null if it is in a jar, on the class path or on another computer. */
     val path: Path? by lazy { pathOf(address) }
 
     companion object {
         /**
          * Reads the file at [address].
+         *
          * @throws IOException if it cannot be read
          */
         fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
 
-        /** Returns the name that Jason has for the program at [address]: its URL, or the name of its file. */
+        /** Returns Jason's name for the program at [address]: its URL, or the name of its file. */
         fun nameOf(address: String): String = try {
             "${URL(address)}"
         } catch (_: MalformedURLException) {
@@ -32,8 +33,9 @@ class ProgramSource(val address: String, val bytes: ByteArray) {
         }
 
         /**
-         * Reads the file that a program includes as [name], and looks for it where Jason does; null: there is no such file, and Jason goes
-         * on without it. [outer] is the address of the including file; null: the agent's program includes the file, when the agent starts.
+         * Reads the file that a program includes as [name]. Searches for it where Jason does. Returns null if the file is missing; Jason
+         * ignores a missing file. [outer] is the address of the including file. It is null if the agent's program includes the file when
+         * the agent starts.
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)

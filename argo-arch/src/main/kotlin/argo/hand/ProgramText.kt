@@ -28,7 +28,7 @@ internal class ProgramText private constructor(
     draft: Agent,
     private val parts: List<Part>,
 ) {
-    /** A [part] of [file], with its [plans]. If [isOther], the part also contains something else, such as a rule, or affects Jason. */
+    /** A [part] of [file], with its [plans]. [isOther] is true if the part contains more than plans, such as a rule, or changes Jason. */
     private class Part(val file: ProgramFile, val part: ProgramPart, val plans: List<Plan>, val isOther: Boolean)
 
     val plans: List<Plan> = Plans.of(draft).all.toList()
@@ -43,7 +43,7 @@ internal class ProgramText private constructor(
     /** The [files] with blanks in place of some parts. [without] are the plans of these parts. */
     class Shortened(val files: List<ProgramFile>, val without: Set<Plan>)
 
-    /** Returns the program without its beliefs, its goals, and the parts of which all plans are in [kept]. */
+    /** Returns the program without its beliefs and goals, and without each part that has only plans in [kept]. */
     fun without(kept: Set<Plan>): Shortened {
         val once = files.groupBy { it.within to it.name }.values.mapNotNull { it.singleOrNull() }
         val dropped = parts.filter { !it.isOther && it.plans.all(kept::contains) && once.any { file -> file === it.file } }
@@ -64,7 +64,7 @@ internal class ProgramText private constructor(
         } catch (broken: RuntimeException) { // such as a directive that does not exist
             throw OrderRefusedException("${main.shortName}: Jason cannot read it: $broken")
         } finally {
-            draft.stopAg() // so that Jason's inspector does not show the agent
+            draft.stopAg() // hides the agent from Jason's inspector
         }
 
         private fun note(file: ProgramFile, agent: Agent, read: () -> ProgramPart) {
@@ -79,9 +79,11 @@ internal class ProgramText private constructor(
 
     companion object {
         /**
-         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes. Looks for them where Jason does. Any thread.
+         * Reads the program at [address], an agent's `aslSrc`, and all files that it includes. Searches for them where Jason does. Any
+         * thread.
+         *
          * @param looksAt called with each path, on this computer's disks, at which a file is read or an included file is missing
-         * @throws OrderRefusedException if a file is missing, Jason cannot read it, or its parts could not be exchanged
+         * @throws OrderRefusedException if a file is missing, or if its content cannot be read or exchanged
          */
         fun read(address: String, looksAt: (Path) -> Unit): ProgramText {
             val sources = ArrayList<ProgramSource>()
@@ -103,7 +105,7 @@ internal class ProgramText private constructor(
             return ProgramText(files, sources.mapNotNull { it.path }, draft, parts).also { refuseLocalNames(it) }
         }
 
-        /** Reads the program in [files] again. Sets Jason's counters back afterwards, so no other agent may run meanwhile. */
+        /** Reads the program in [files] again. Finally restores Jason's counters, so no other agent may run during the call. */
         fun of(files: List<ProgramFile>): ProgramText {
             val counters = listOf(Insides.variableCounter, Insides.planCounter).map { it[null] }
             val before = counters.map { it.get() }

@@ -18,8 +18,8 @@ import java.nio.file.Path
 import java.util.ServiceConfigurationError
 
 /**
- * Reads the program and the filters of the agent of [ts] anew while the agent runs. Construct this object when Jason has read the program,
- * before the agent's first cycle. The calling thread reads files; the agent exchanges the changed parts between two cycles.
+ * Reads the program and the filters of the agent of [ts] again while the agent runs. Construct this object after Jason has read the
+ * program, before the agent's first cycle. The calling thread reads files. The agent exchanges the changed parts between two cycles.
  *
  * @param hand gives orders to the agent
  * @param perceiveThrough sets the filter for all the agent's boards and its environment
@@ -30,7 +30,7 @@ internal class Reloading(
     private val hand: Hand,
     private val perceiveThrough: (PerceptionFilter?) -> Unit,
 ) {
-    /** The program that the agent has now, for comparison with a newer text. */
+    /** The addresses, beliefs and goals of the agent's current program, for comparison with a newer text. */
     private class Known(val addresses: Set<String>, val stated: Map<Offer, Set<String>>)
 
     private val agent get() = ts.ag
@@ -41,7 +41,7 @@ internal class Reloading(
     @Volatile
     private var paths: List<Path>? = null
 
-    /** The paths that the last reading has read or missed, even if the program was refused. */
+    /** The paths of the files that the last reading has read or missed, even if the program was refused. */
     @Volatile
     private var looked: List<Path> = emptyList()
 
@@ -58,7 +58,9 @@ internal class Reloading(
         )
     }
 
-    /** Returns the files on disk that [reload] reads; after a refusal, also the files that the refused reading has read or missed. */
+    /**
+     * Returns the files on disk that [reload] reads. After a refusal, also returns the files that the refused reading has read or missed.
+     */
     fun sources(): List<Path> {
         val program = paths ?: try {
             read().paths.also { paths = it }
@@ -69,8 +71,8 @@ internal class Reloading(
     }
 
     /**
-     * Reads the program and the active filters. The agent then exchanges the changed parts. [done] is called once at the end: on the
-     * calling thread if anything cannot be read, else on the agent's thread.
+     * Reads the program and the active filters. The agent then exchanges the changed parts. [done] is called once at the end. If anything
+     * cannot be read, the calling thread calls it, else the agent's thread.
      *
      * @param takes the kinds of literals, beliefs or goals, that the agent also adds if they are new in the program
      */
@@ -88,7 +90,6 @@ internal class Reloading(
         }
     }
 
-    /** Calls [reload] on a new thread. */
     fun start(takes: Set<Offer>, done: (Outcome) -> Unit) {
         boards.platform.start("argo-${boards.owner}-reloading") { reload(takes, done) }
     }
@@ -108,7 +109,7 @@ internal class Reloading(
 
     private fun gone(filter: String) = "the filter $filter is not found any more; the agent keeps it as it was"
 
-    /** Reads the filter that has the name of [filter] again; null: it is no longer found. */
+    /** Reads the filter that has the name of [filter] again; null if it is no longer found. */
     private fun anew(filter: PerceptionFilter): PerceptionFilter? = try {
         filterOf(agent, filter.name)
     } catch (_: FilterNotFoundException) {
@@ -121,7 +122,7 @@ internal class Reloading(
         throw OrderRefusedException("the filter ${filter.name} cannot be read: $unreadable")
     }
 
-    /** Completes an exchange, on the agent's thread: exchanges filters, and adds or reports new literals. Returns the report. */
+    /** Completes an exchange, on the agent's thread. Exchanges filters, and adds or reports new literals. Returns the report. */
     private fun exchanged(program: ProgramText, filters: Map<PerceptionFilter, PerceptionFilter>, takes: Set<Offer>): List<String> {
         paths = program.paths
         val new = Offer.entries.associateWith { offer -> offer.of(program).filter { isNew(offer, it) } }
@@ -144,12 +145,12 @@ internal class Reloading(
         return listOf("filters read anew: ${filters.values.joinToString { it.name }}")
     }
 
-    /** Returns the report on [literals], which are new in the program. They count as new until the agent adds them. */
+    /** Returns the report on [literals], which are new in the program. They stay new in later reports until the agent adds them. */
     private fun offered(offer: Offer, literals: List<Literal>) =
         "new initial ${offer.word}, not ${offer.taken}: ${literals.joinToString(transform = ::shown)} " +
             "(argo.reload([${offer.word}]) takes them)"
 
-    /** Lets the agent believe or begin [literals] in its next cycle. Literals that the agent refuses still count as new. */
+    /** Makes the agent believe or begin [literals] in its next cycle. Literals that the agent refuses stay new. */
     private fun take(offer: Offer, literals: List<Literal>): String {
         literals.forEach { literal ->
             hand.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
@@ -172,10 +173,10 @@ internal class Reloading(
 }
 
 /**
- * The kinds of literals that an agent normally gets from its program only when it starts. At a reload, it can also add new ones.
+ * The kinds of literals that an agent normally gets from its program only when it starts. A reload can add new literals of these kinds.
  *
  * @property word the word for this kind in the argument of `argo.reload`
- * @property taken a participle for messages: what the agent has done with such a literal
+ * @property taken a participle for messages: what the agent has done with a literal of this kind
  * @property of returns the literals of this kind in a program
  * @property order makes the order by which an agent adds a literal of this kind
  */

@@ -34,7 +34,7 @@ internal fun TransitionSystem.believe(text: String): Outcome {
     return if (ag.addBel(belief)) Outcome(null) else Outcome(null, listOf("the agent believed $belief already"))
 }
 
-/** Removes one belief that differs from [belief] only in its arguments, like the first half of Jason's `-+belief`. */
+/** Removes one belief that differs from [belief] only in its arguments, as Jason's `-+belief` does first. */
 private fun TransitionSystem.forgetOthers(belief: Literal) {
     val any = belief.copy().apply { makeTermsAnnon() }
     ag.delBel(any)
@@ -86,7 +86,7 @@ private fun Circumstance.sizes() = listOf(
 
 private fun TransitionSystem.goal(text: String): Literal = literal(text.trim().removePrefix("+").removePrefix("!"), "goal")
 
-/** Reads [text] as a literal; error messages call it a [what]. */
+/** Reads [text] as a literal. Error messages call the literal a [what]. */
 private fun TransitionSystem.literal(text: String, what: String): Literal {
     val literal = try {
         parsed(text)
@@ -102,7 +102,7 @@ private fun TransitionSystem.literal(text: String, what: String): Literal {
     return literal.forceFullLiteralImpl()
 }
 
-/** Lets Jason read [text] as a literal of the agent, which may contain the agent's own functions. */
+/** Lets Jason read [text] as a literal of the agent. The literal may contain the agent's own functions. */
 private fun TransitionSystem.parsed(text: String): Literal {
     val parser = as2j(StringReader(text))
     parser.setAg(ag)

@@ -3,8 +3,8 @@ package argo.hand
 import jason.asSyntax.parser.ParseException
 
 /**
- * Says at which place, and at which text, Jason cannot read a program. The message of [unreadable] is too long: it lists all tokens that
- * Jason would have accepted, some forty.
+ * Returns a message that says where Jason cannot read a program. The message of [unreadable] itself is too long, since it lists about forty
+ * tokens that Jason would have accepted.
  */
 fun unreadableAt(unreadable: ParseException): String {
     val found = unreadable.currentToken?.next ?: return unreadable.message.orEmpty()

@@ -3,8 +3,8 @@ package argo.insides
 import java.lang.reflect.Field
 
 /**
- * A private field in Jason's class [owner]. Each known version of Jason has the field under one of [names]. If another version has no such
- * field, [get] and [set] throw a [LinkageError] with the field's name.
+ * A private field in Jason's class [owner]. Each known version of Jason has the field under one of [names]. If the field is missing in
+ * another version, [get] and [set] throw a [LinkageError] with the field's name.
  */
 class Inside<T> internal constructor(private val owner: () -> Class<*>, private vararg val names: String) {
     private val member: Field by lazy {
@@ -19,11 +19,11 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         false
     }
 
-    /** Returns the field's value in [one]; for a static field, [one] is null. */
+    /** Returns the field's value in [one]. For a static field, [one] is null. */
     @Suppress("UNCHECKED_CAST")
     operator fun get(one: Any?): T = member.get(one) as T
 
-    /** Sets the field in [one] to [value]; for a static field, [one] is null. */
+    /** Sets the field in [one] to [value]. For a static field, [one] is null. */
     operator fun set(one: Any?, value: T) = member.set(one, value)
 
     override fun toString() = try {
@@ -33,7 +33,7 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
     }
 }
 
-/** Returns the member of Jason that [find] finds. If this version of Jason has no such member, throws a [LinkageError] with [name]. */
+/** Returns the member of Jason that [find] finds. If this version of Jason lacks the member, throws a [LinkageError] with [name]. */
 internal fun <T> inside(name: String, find: () -> T): T = try {
     find()
 } catch (missing: ReflectiveOperationException) {

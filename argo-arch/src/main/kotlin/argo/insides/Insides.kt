@@ -25,8 +25,8 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * All private members of Jason that ARGO uses, except those of `.wait`, which [WaitEvents] has. A member's comment says why no extension
- * point of Jason suffices. Only ARGO's own modules may use the members, since another version of Jason may have other members.
+ * All private members of Jason that ARGO uses, except those in [WaitEvents]. A member's comment says why Jason's public members do not
+ * suffice. Only ARGO's own modules may use the members, since another version of Jason may have other members.
  */
 object Insides {
     private val found = ArrayList<Inside<*>>()
@@ -34,16 +34,16 @@ object Insides {
     /** Jason publishes the scheduler of `.wait` and `.at`, but nobody can replace it. */
     val scheduler: Inside<ScheduledExecutorService> = of(Agent::class.java, "scheduler")
 
-    /** `setIA` sets one action under a known name, but a term that is read from a text may need an action of any name. */
+    /** `setIA` sets one action under a known name. A term that is read from a text may need an action of any name. */
     val actions: Inside<Map<String, InternalAction>> = of(Agent::class.java, "internalActions")
 
-    /** `addFunction` refuses a name that exists already, such as `math.random`. */
+    /** `addFunction` refuses a name that already exists, such as `math.random`. */
     val functions: Inside<MutableMap<String, ArithFunction>> = of(FunctionRegister::class.java, "functions")
 
     /** A term gets its function when it is made; there is no setter. */
     val functionOfTerm: Inside<ArithFunction?> = of(ArithFunctionTerm::class.java, "function")
 
-    /** `registerDirective` does not replace a directive that has been used, and its new `include` would have no source path. */
+    /** `registerDirective` does not replace a directive that has been used. The `include` that it makes would have no source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
     /** `getDirective` logs an error for a name that is no directive. */
@@ -52,21 +52,21 @@ object Insides {
     /** `runAtBeginOfNextCycle` tells nobody that another thread has added work. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 
-    /** The number of cycles since the agent last perceived (`nrcbp`); Jason does not publish it. */
+    /** The number of cycles since the agent last perceived (`nrcbp`). Jason does not publish it. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** `insertAgArch` sets these two fields, but also changes the agent, which must stay as it is when it is serialized. */
+    /** `insertAgArch` sets these two fields, but also changes the agent. A serialized agent must stay unchanged. */
     val nextArch: Inside<AgArch?> = of(AgArch::class.java, "successor")
     val firstArch: Inside<AgArch> = of(AgArch::class.java, "firstArch")
 
-    /** True if Jason has notified the agent that it falls asleep; no public member shows this. */
+    /** True if Jason has notified the agent that it falls asleep. No public member shows this. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
     /** Jason does not publish which rule of its cycle comes next. */
     val nextDeliberating: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepDeliberate")
     val nextActing: Inside<TransitionSystem.State> = of(TransitionSystem::class.java, "stepAct")
 
-    // For a replay that begins in the middle of a recording: Jason makes these events and intentions only by reasoning
+    // For a replay that begins in the middle of a recording. Jason makes these events and intentions only by reasoning.
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
@@ -77,7 +77,7 @@ object Insides {
     /** There is no setter. */
     val isAtomicSuspended: Inside<Boolean> = of(Circumstance::class.java, "atomicIntSuspended")
 
-    /** The number of intentions with a goal condition; Jason shows only whether there are any. */
+    /** The number of intentions with a goal condition. Jason only shows whether there are any. */
     val goalConditions: Inside<Int> = of(Circumstance::class.java, "intentionsWithGoalCondition")
 
     /** There is no setter. */
@@ -106,7 +106,7 @@ object Insides {
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }
 
     /**
-     * Returns true if the agent of [ts] has deliberated in this cycle, but has not chosen an intention yet. Only for the agent's thread,
+     * Returns true if the agent of [ts] has deliberated in this cycle, but has not yet selected an intention. Only for the agent's thread,
      * between two rules of its cycle.
      */
     fun isBeforeIntention(ts: TransitionSystem): Boolean =

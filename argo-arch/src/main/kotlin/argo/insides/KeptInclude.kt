@@ -9,7 +9,7 @@ import jason.runtime.SourcePath
 
 /** Handles the files that an agent includes when it starts, at run time or at a reload. */
 interface Includes {
-    /** Returns the content that [directive] includes into [outer]; null: there is none. [live] makes Jason find and read the file. */
+    /** Returns the content that [directive] includes into [outer]; null if there is none. [live] makes Jason find and read the file. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?
 
     /** Returns a new agent, which reads an included file. */
@@ -17,8 +17,8 @@ interface Includes {
 }
 
 /**
- * Replaces Jason's directive `include`, which the action `.include` calls too. The calling thread's [current] handler does the work; if
- * there is none, Jason's own directive does it.
+ * Replaces Jason's directive `include`, which the action `.include` also calls. The calling thread's [current] handler does the work. If
+ * the thread has no handler, Jason's own directive does the work.
  */
 class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
@@ -35,7 +35,7 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         private const val NAME = "include"
         private val CURRENT = ThreadLocal<Includes?>()
 
-        /** Handles the files that the calling thread includes; null: Jason's own directive handles them. */
+        /** Handles the files that the calling thread includes. If null, Jason's own directive handles them. */
         var current: Includes?
             get() = CURRENT.get()
             set(includes) = if (includes == null) CURRENT.remove() else CURRENT.set(includes)
@@ -60,8 +60,8 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
-         * Returns the name by which a recording calls the file from which [outer] is read: empty for the agent's program and its blocks,
-         * `.` for the running agent [ag], else the address of the included file.
+         * Returns a recording's name for the file from which [outer] is read. The name is empty for the agent's program and its blocks, and
+         * `.` for the running agent [ag]. For an included file it is the file's address.
          */
         fun placeOf(outer: Agent, ag: Agent?): String = when {
             outer.aslSrc == null -> ""

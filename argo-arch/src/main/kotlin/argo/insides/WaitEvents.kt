@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * The object by which Jason's `.wait` waits. It listens to the agent's circumstance, and its class is private. If another version of Jason
- * has no such class or member, only [isThere] works; all other members throw a [LinkageError].
+ * The object by which Jason's `.wait` waits. The object listens to the agent's circumstance, and its class is private. If another version
+ * of Jason lacks the class or a member, only [isThere] works, and all other members throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"
@@ -38,7 +38,7 @@ object WaitEvents {
     val isDropped: Inside<Boolean> = of("dropped")
     val elapsed: Inside<Term?> = of("elapsedTimeTerm")
 
-    /** The timeout in ms; below 0: the `.wait` has no timer. */
+    /** The timeout in ms; below 0 if the `.wait` has no timer. */
     val timeout: Inside<Long> = of("timeout")
 
     internal val fields: List<Inside<*>>

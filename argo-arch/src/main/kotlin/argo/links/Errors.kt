@@ -11,7 +11,7 @@ import javino.PortGoneException
 import javino.PortPermissionException
 import javino.PortTimeoutException
 
-/** Returns the atom in `error(…)` for [trouble] with a port or a command; for an exception of any other kind, `port_failed`. */
+/** Returns the atom in `error(…)` for [trouble] with a port or a command. An exception of any other kind is `port_failed`. */
 fun errorOf(trouble: Throwable): String = when (trouble) {
     is NoSuchPortException -> "no_such_port"
     is PortBusyException -> "port_busy"

@@ -10,7 +10,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import javino.wire.CommandItem
 
-/** A link that carries bytes: to a serial line, over a network, or to a simulated board. */
+/** A link that carries bytes over a serial line, over a network, or to a simulated board. */
 class JavinoLink(private val link: Link) : BoardLink {
     override val port: String get() = link.port()
     override val isOpen get() = link.isOpen
@@ -23,7 +23,7 @@ class JavinoLink(private val link: Link) : BoardLink {
     override fun listen(timeoutMs: Int): BoardMessage? = try {
         link.listen(timeoutMs).toMessage()
     } catch (_: PortTimeoutException) {
-        null // no timeout: a board that sends without requests sends only news
+        null // silence is normal: a board that sends without requests sends only news
     }
 
     override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =

@@ -13,11 +13,11 @@ import jason.asSyntax.Trigger.TEType
 import jason.bb.BeliefBase
 
 /**
- * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak. Percepts, rules and plans are left out: they come from
- * the world and from the program.
+ * The beliefs of an agent and the events of its intentions, as texts in AgentSpeak. Percepts are left out, since they come from the world.
+ * Rules and plans are left out, since they come from the program.
  *
  * @property events the events that have begun the agent's intentions, and the events that wait: `!goal` or `+belief`. Events of percepts
- * are left out: they come anew with the percepts
+ * are left out, since the percepts will cause them again
  */
 data class Mind(val beliefs: List<String>, val events: List<String>) {
     /** The mind as a program, with a belief or an event on each line: `watches(a,b)[source(self)].`, `!oversee.` */
@@ -25,7 +25,7 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
 
     companion object {
         /**
-         * Returns the mind of the agent of [ts]. Called by its thread.
+         * Returns the mind of the agent of [ts]. Called by the agent's thread.
          *
          * @param write returns the text of a literal; throws [IllegalArgumentException] with the reason if the literal has no text
          * @param leftOut receives each belief or event that has no text of one line, with the reason
@@ -51,12 +51,12 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
 
         private fun beliefs(ts: TransitionSystem): List<Literal> = ts.ag.bb.filterNot(::isOfProgram).mapNotNull(::withoutPercept)
 
-        /** Returns [belief] without the source `percept`; null: it has no other source. */
+        /** Returns [belief] without the source `percept`; null if it has no other source. */
         private fun withoutPercept(belief: Literal): Literal? =
             if (!belief.hasSource(BeliefBase.APercept)) belief
             else belief.copy().also { it.delSource(BeliefBase.APercept) }.takeIf { it.hasSource() }
 
-        /** Returns the triggers that have begun the agent's intentions, with the values of their variables; then the waiting triggers. */
+        /** Returns the triggers that have begun the agent's intentions, with the values of their variables, then the waiting triggers. */
         private fun triggers(ts: TransitionSystem): List<Trigger> {
             val begun = ts.c.allIntentions.asSequence().mapNotNull { intention ->
                 intention.lastOrNull()?.let { Trigger(it.trigger.operator, it.trigger.type, it.trigger.literal.capply(it.unif) as Literal) }
@@ -71,12 +71,13 @@ data class Mind(val beliefs: List<String>, val events: List<String>) {
     }
 }
 
-/** Returns true if [belief] belongs to the program: no [Mind] contains it, and [replaceMind] keeps it. */
+/** Returns true if [belief] belongs to the program. No [Mind] contains it, and [replaceMind] keeps it. */
 private fun isOfProgram(belief: Literal) = belief is Rule || belief.isHidden
 
 /**
- * Replaces the beliefs of the agent of [ts] by [beliefs], before its first cycle. The program's rules and hidden beliefs stay; its initial
- * beliefs and goals go. No belief causes an event, since the agent had it in its last run. Called by the agent's thread.
+ * Replaces the beliefs of the agent of [ts] by [beliefs], before its first cycle. The program's rules and hidden beliefs stay. The
+ * program's initial beliefs and goals are removed. Beliefs cause no events, since the agent had them in its last run. Called by the agent's
+ * thread.
  *
  * @param refused receives each belief that the agent's belief base refuses, with the reason
  */
@@ -103,5 +104,5 @@ fun beginAnew(ts: TransitionSystem, event: String, literal: Literal) {
 /** Jason allows line breaks in a quoted atom, but [Mind.program] has one line for each belief and each event. */
 private const val LINE_BREAKS = "\n\r"
 
-/** With this index, Jason puts a belief after all beliefs with the same functor, so beliefs keep their order. */
+/** To keep the order of beliefs: with this index, Jason puts a belief after all other beliefs with its functor. */
 private const val AT_END = 1

@@ -5,14 +5,14 @@ import java.util.logging.Logger
 /**
  * Opens observers for agents with the provider's [option], such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
  *
- * [java.util.ServiceLoader] finds the provider: its class has a public constructor without arguments, and is named in
+ * [java.util.ServiceLoader] finds the provider. The provider's class has a public constructor without arguments, and is named in
  * `META-INF/services/argo.observing.AgentObserverProvider`.
  */
 interface AgentObserverProvider {
     /** The option of the `.mas2j` that asks for an observer. The name begins with `argo_`. */
     val option: String
 
-    /** The value of the option, in a few words for a person, such as `a port number`. */
+    /** The kind of value that the option takes, in a few words for a person, such as `a port number`. */
     val usage: String
 
     /**
@@ -20,7 +20,7 @@ interface AgentObserverProvider {
      *
      * @param value the value of the option
      * @param log the agent's log
-     * @return the observer; null: it cannot be opened. Then [log] has the reason, and the agent runs without the observer
+     * @return the observer; null if it cannot be opened. In this case write the reason to [log]; the agent runs without the observer
      */
     fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver?
 }

@@ -3,9 +3,9 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * Runs [say] on its own thread if the program is ended, for example by Ctrl-C, before this object is closed. The program waits for [say],
- * but [mostMs] ms at most, since a disk or a browser may hang. If [say] takes longer, [tell] gets the message [unsaid], by default on
- * standard error, since Java may have closed the log. Safe for use by several threads.
+ * Runs [say] on its own thread if the program ends, for example by Ctrl-C, before this object is closed. The program waits for [say], but
+ * at most [mostMs] ms, since a disk or a browser may hang. If [say] takes longer, [tell] gets the message [unsaid]. By default [tell]
+ * writes to standard error, since Java may have closed the log. Safe for use by several threads.
  */
 class Farewell(
     private val mostMs: Long,
@@ -25,7 +25,7 @@ class Farewell(
         if (saying.isAlive) tell(unsaid)
     }
 
-    /** Cancels [say]. Idempotent; may be called while the program ends. */
+    /** Cancels [say]. Further calls have no effect. May be called while the program ends. */
     override fun close() {
         try {
             Runtime.getRuntime().removeShutdownHook(atExit)

@@ -11,7 +11,7 @@ import javino.wire.BoardAction
 import java.nio.file.Path
 import java.util.logging.Logger
 
-/** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
+/** An agent, as its observers see it. Any thread may use a member if its comment names no thread. */
 interface ObservedAgent {
     /** The agent's name in the multi-agent system. */
     val name: String
@@ -22,31 +22,31 @@ interface ObservedAgent {
     /** The sensing interval in ms of all boards that have no interval of their own. */
     val intervalMs: Int
 
-    /** The time in ms between the oldest and the newest reading that the agent believes now; null: it believes none. See `argo.skew`. */
+    /** The ms between the oldest and the newest reading that the agent believes now; null if it believes none. See `argo.skew`. */
     val skewMs: Long?
 
     /** True if the agent perceives its boards. */
     val isPerceiving: Boolean
 
-    /** The actions that the perceived boards have registered; null: none of these boards has described itself. */
+    /** The actions that the perceived boards have registered; null if none of these boards has described itself. */
     val actions: List<BoardAction>?
 
-    /** The agent's belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
+    /** The agent's belief base. Only for the agent's thread, see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
 
-    /** The agent's intentions and events. For the agent's thread only, like [beliefs]. */
+    /** The agent's intentions and events. Only for the agent's thread. */
     val circumstance: Circumstance
 
-    /** The agent's transition system in Jason, with its program and options. For the agent's thread only, like [beliefs]. */
+    /** The agent's transition system in Jason, with its program and options. Only for the agent's thread. */
     val reasoning: TransitionSystem
 
-    /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
+    /** The log to which the agent's plans print with `.print`. Jason's reports about the agent also go to this log. */
     val printed: Logger
 
-    /** Pauses the agent, and lets it go on. */
+    /** Pauses the agent, and lets it continue. */
     val pausing: Pausing
 
-    /** The computers of the agent's system; empty: the system runs on one computer. */
+    /** The computers of the agent's system; empty if the system runs on one computer. */
     val computers: List<ObservedComputer> get() = emptyList()
 
     /** Returns the time of the agent's clock in ns. The clock never goes back. */
@@ -56,8 +56,8 @@ interface ObservedAgent {
     fun ports(): List<ObservedPort>
 
     /**
-     * Returns the kinds of percepts that the board on a port describes; empty: it describes none, or its kinds are not known yet. After the
-     * first call, ARGO asks the board once in each session, between two requests for percepts.
+     * Returns the kinds of percepts that the board on a port describes. The list is empty if it describes none, or if its kinds are not
+     * known yet. After the first call, ARGO asks the board once in each session, between two requests for percepts.
      *
      * @param portName the name with which the port was opened
      */
@@ -65,34 +65,34 @@ interface ObservedAgent {
 
     /**
      * Returns the names of the filters that the agent can choose.
+     *
      * @throws java.util.ServiceConfigurationError if a filter provider cannot be used
      */
     fun filterNames(): List<String>
 
-    /** Returns the filter called [name]; null: [name] is `none`, no filter. Throws like [argo.filters.format.FilterFinder.find]. */
+    /** Returns the filter called [name]. Returns null for the name `none`. Throws like [argo.filters.format.FilterFinder.find]. */
     fun filter(name: String): PerceptionFilter?
 
-    /** Explains why the filter keeps or drops [percept], in words. If the explanations for boards differ, returns that of each board. */
+    /** Explains in words why the filter keeps or drops [percept]. If the explanations for boards differ, returns one for each board. */
     fun explain(percept: String): String
 
-    /** Returns the critical rules of the active filter, in the filter's order, each with the side that watches the rule. */
+    /** Returns the critical rules of the active filter, in the filter's order. Each has its watcher, the computer or the board. */
     fun criticalRules(): List<WatchedRule>
 
     /**
-     * Makes the agent perceive through [filter] from its next cycle on, or at once if it is paused; null: without a filter. The agent's
-     * thread calls [done] afterwards.
+     * Makes the agent perceive through [filter] from its next cycle on, or at once if it is paused. If [filter] is null, the agent
+     * perceives without a filter. The agent's thread calls [done] afterwards.
      */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
     /**
-     * Makes the agent start or stop perceiving in its next cycle, or at once if the agent is paused. The agent's thread calls [done]
-     * afterwards.
+     * Makes the agent start or stop perceiving in its next cycle, or at once if it is paused. The agent's thread calls [done] afterwards.
      */
     fun perceive(open: Boolean, done: () -> Unit)
 
     /**
-     * Sends [command], a literal or a string in quotes, like `argo.act(command)` in a plan: in the next cycle, or at once if the agent is
-     * paused. [done] is called once, on any thread: with null, or with the reason why the command was not carried out.
+     * Sends [command], a literal or a string in quotes, like `argo.act(command)` in a plan. Sends it in the next cycle, or at once if the
+     * agent is paused. [done] is called once, on any thread, with null or with the reason why the command was not carried out.
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
@@ -106,8 +106,8 @@ interface ObservedAgent {
     fun order(order: Order, done: (Outcome) -> Unit)
 
     /**
-     * Reads the agent's program and its active filters anew, on the calling thread. The agent then exchanges the changed parts, as after
-     * `argo.reload`. [done] is called once at the end: on the calling thread if anything cannot be read, else on the agent's thread.
+     * Reads the agent's program and its active filters again, on the calling thread. The agent then exchanges the changed parts, as after
+     * `argo.reload`. [done] is called once at the end. If anything cannot be read, the calling thread calls it, else the agent's thread.
      */
     fun reload(done: (Outcome) -> Unit)
 
@@ -121,7 +121,7 @@ interface ObservedAgent {
     fun wakeUntil(seen: () -> Boolean)
 }
 
-/** A critical rule of an agent's filter, with the side that watches it now. */
+/** A critical rule of an agent's filter. [watcher] tells whether the board or the computer watches it now. */
 data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 
 /**
@@ -132,9 +132,9 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
  * @property isInUse whether this is the port in use, which gets each command for which no other board is found
  * @property isStale whether the agent believes `stale(P)` about the port
  * @property isPerceived whether the agent perceives the board on the port
- * @property namespace the namespace of the percepts from the port's board; null: the default namespace
- * @property intervalMs the sensing interval in ms of the port's board; null: the board is not perceived
- * @property filter the name of the board's filter; null: the board has none, or is not perceived
+ * @property namespace the namespace of the percepts from the port's board; null for the default namespace
+ * @property intervalMs the sensing interval in ms of the port's board; null if the board is not perceived
+ * @property filter the name of the board's filter; null if the board has none, or is not perceived
  */
 data class ObservedPort(
     val name: String,

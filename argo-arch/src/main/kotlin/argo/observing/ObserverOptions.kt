@@ -14,7 +14,6 @@ internal class ObserverOptions(private val options: Map<String, String>, private
         if (options.isEmpty()) emptyList()
         else Services.providers(AgentObserverProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
 
-    /** The options without a provider. */
     val unread: Set<String> get() = options.keys - providers.map { it.option }.toSet()
 
     /** The options with a provider, such as `argo_view=a port number`. */

@@ -11,7 +11,7 @@ sealed interface Order {
      */
     data class Believe(val literal: String) : Order
 
-    /** Makes the agent forget each belief that unifies with [literal]; if [literal] names a source, removes only that source. */
+    /** Makes the agent forget each belief that unifies with [literal]. If [literal] names a source, removes only this source. */
     data class Forget(val literal: String) : Order
 
     /** Makes the agent begin [goal], written `!goal` or `goal`, as a new intention. */
@@ -30,14 +30,14 @@ sealed interface Order {
     data class Reload(val files: List<ProgramFile>, val gone: Set<String> = emptySet()) : Order
 
     /**
-     * Makes the agent go on from its last run, before its first cycle. The agent gets [beliefs] in place of all initial beliefs and goals
-     * of its program. A belief with `+` in front is new to the agent and causes an event; the others cause none.
+     * Makes the agent continue from its last run, before its first cycle. The [beliefs] replace all initial beliefs and goals of the
+     * agent's program. A belief with `+` in front is new to the agent and causes an event. Beliefs without `+` cause no events.
      */
     data class Resume(val beliefs: List<String>) : Order
 
     /**
-     * Makes the agent begin the intentions of its last run anew, by their [events]: `!goal`, or `+belief` for a belief that the agent has.
-     * The outcome reports goals without a plan.
+     * Makes the agent begin the intentions of its last run again, by their [events]. An event is `!goal`, or `+belief` for a belief that
+     * the agent has. The outcome reports goals without a plan.
      */
     data class BeginAnew(val events: List<String>) : Order
 }
@@ -45,8 +45,8 @@ sealed interface Order {
 /**
  * A file of a program.
  *
- * @property within the address of the including file; empty: the program itself
- * @property name the file's name in the directive `include`; empty: the file is the program itself
+ * @property within the address of the including file; empty for the program itself
+ * @property name the file's name in the directive `include`; empty for the program itself
  * @property address the file's address, as Jason names it in plans and errors
  */
 data class ProgramFile(val within: String, val name: String, val address: String, val text: String)
@@ -54,8 +54,8 @@ data class ProgramFile(val within: String, val name: String, val address: String
 /**
  * The outcome of an [Order].
  *
- * @property refusal the reason why the agent has not carried out the order, for a person; null: it has. A refused order changes nothing,
- * but one that fails in foreign code may have changed the agent
+ * @property refusal for a person: why the agent has not carried out the order; null if it has carried it out. A refused order changes
+ * nothing, except if it fails in foreign code
  * @property told further lines of the report to the person
  */
 data class Outcome(val refusal: String?, val told: List<String> = emptyList())

@@ -12,12 +12,12 @@ interface SeveralComputers {
 /**
  * A computer with agents of the system.
  *
- * @property address the host name or address of the computer; if that is not known, the computer's name
+ * @property address the host name or address of the computer; if it is not known, the computer's name
  * @property isHere whether this program runs on the computer
- * @property isNear whether a browser on this machine can open the computer's live views: the computer is this one, or its address belongs
- * to the loopback interface
+ * @property isNear whether a browser on this machine can open the computer's live views. True for this computer, and for an address of the
+ * loopback interface
  * @property isOn whether the computer is connected with this one
- * @property agents the computer's agents, in the order of their names; empty: it is not connected, or has no agents
+ * @property agents the computer's agents, in the order of their names; empty if it is not connected, or has no agents
  */
 data class ObservedComputer(
     val name: String, val address: String, val isHere: Boolean, val isNear: Boolean, val isOn: Boolean, val agents: List<AgentThere>,
@@ -26,6 +26,6 @@ data class ObservedComputer(
 /**
  * An agent on a computer.
  *
- * @property viewPort the port of the agent's live view, which listens on its computer's loopback interface; null: no view, or no fixed port
+ * @property viewPort the port of the agent's live view on the loopback interface of its computer; null if there is no view or no fixed port
  */
 data class AgentThere(val name: String, val viewPort: Int?)

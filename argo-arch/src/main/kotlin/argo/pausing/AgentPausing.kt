@@ -28,9 +28,9 @@ import kotlin.concurrent.withLock
  * The parts of an agent's world that a pause needs.
  *
  * @property nanos the agent's clock
- * @property makeSafe makes the boards safe, on the agent's thread; returns the result for each board, in words; null: no command makes them
- * safe
- * @property standing called by the agent's thread: with true when a pause begins, with false when it ends
+ * @property makeSafe makes the boards safe, on the agent's thread. Returns the result for each board, in words; null if no command makes
+ * them safe
+ * @property standing called by the agent's thread, with true when a pause begins and with false when it ends
  * @property wake wakes the agent until `seen` returns true
  * @property isStandingStill whether the world stops while the agent is paused, see [argo.platform.Platform.standsStill]
  */
@@ -43,7 +43,7 @@ internal class PauseWorld(
 )
 
 /**
- * Pauses the agent of [ts] by blocking its thread in [cycleStarting]. If the world stops too, the agent can also be paused within a cycle,
+ * Pauses the agent of [ts] by blocking its thread in [cycleStarting]. If the world also stops, the agent can even be paused within a cycle,
  * so that breakpoints do not change its behaviour.
  *
  * @param asking see [argo.boundary.Boundary.asking]
@@ -57,7 +57,7 @@ internal class AgentPausing(
 ) : Pausing, AutoCloseable {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
-    private val works = ArrayDeque<() -> Unit>() // for the thread of the paused agent; under the lock
+    private val works = ArrayDeque<() -> Unit>() // work for the paused agent's thread; under the lock
     private var mayGoOn = true // under the lock
     private val owned = LinkedHashMap<Any, List<Placed>>() // under the lock
     private val listeners = CopyOnWriteArrayList<(PauseState) -> Unit>()
@@ -67,22 +67,22 @@ internal class AgentPausing(
     private val isOff get() = refusal != null || isClosed
     private val isWatching get() = !isOff && (until != null || breaks.lines.isNotEmpty())
 
-    /** The reason why an agent is paused, and the owners for whom it is paused, at least one. */
+    /** The reason why an agent is paused, and the owners for whom it is paused. There is at least one owner. */
     private data class Stand(val met: Met, val owners: Set<Any>) {
         fun with(others: Set<Any>) = copy(owners = owners + others)
         fun without(owner: Any) = copy(owners = owners - owner).takeIf { it.owners.isNotEmpty() }
     }
 
-    /** A breakpoint. When it was set, its file had last been saved at [savedAt]; null: the file is not on a disk. */
+    /** A breakpoint, with the time at which its file had last been saved when it was set. The time is null if the file is not on a disk. */
     private class Placed(val breakpoint: Breakpoint, val savedAt: FileTime?)
 
     private class Until(val stop: Stop, val owner: Any)
 
-    /** The pause that is to begin before the agent's next cycle; null: none. Written under the lock. */
+    /** The pause that begins before the agent's next cycle; null if there is none. Written under the lock. */
     @Volatile
     private var wanted: Stand? = null
 
-    /** The present pause, during which the agent's thread does [works]; null: the agent is not paused. Under the lock. */
+    /** The current pause, during which the agent's thread does [works]; null if the agent is not paused. Under the lock. */
     private var standing: Stand? = null
 
     @Volatile
@@ -106,7 +106,7 @@ internal class AgentPausing(
         if (wanted != null) world.wake { wanted == null }
     }
 
-    /** Makes [next] the pause that is to begin, and adds the owners of the pause that was to begin before. Under the lock. */
+    /** Makes [next] the pause that begins next. Owners of an earlier pause that has not begun also become its owners. Under the lock. */
     private fun want(next: Stand) {
         wanted = next.with(wanted?.owners.orEmpty())
     }
@@ -121,7 +121,7 @@ internal class AgentPausing(
         }
         val next = Until(stopOf(stop, ts), owner)
         val isStanding = meanwhile {
-            next.stop.met(ts, null) // notes the present beliefs before the agent goes on
+            next.stop.met(ts, null) // notes the current beliefs before the agent continues
             goOn(next, null)
         }
         if (!isStanding) goOn(next, null)
@@ -164,7 +164,7 @@ internal class AgentPausing(
             .forEach { owner -> carryOut { (owner as? BreakpointOwner)?.breakpointsChanged() } }
     }
 
-    /** Moves the breakpoints of [owner]; returns true if the line of any has changed. Under the lock. */
+    /** Moves the breakpoints of [owner]. Returns true if the line of any has changed. Under the lock. */
     private fun moveAll(owner: Any, before: PlanLines, now: PlanLines): Boolean {
         val its = owned.getValue(owner)
         val moved = its.map { moved(it, before, now) }
@@ -173,7 +173,8 @@ internal class AgentPausing(
     }
 
     /**
-     * A breakpoint that was set before its file was saved belongs to the old text, and moves with its plan. Others belong to the new text.
+     * A breakpoint that was set before its file was saved belongs to the old text, and moves with its plan. All other breakpoints belong to
+     * the new text.
      */
     private fun moved(placed: Placed, before: PlanLines, now: PlanLines): Placed {
         val (file, wanted, line) = placed.breakpoint
@@ -214,8 +215,8 @@ internal class AgentPausing(
     override fun look(look: () -> Unit): Boolean = meanwhile { asking(look) }
 
     /**
-     * If the agent is paused or its pause is beginning, returns true, and its thread does [work] before the agent goes on; else returns
-     * false. Any thread may call.
+     * If the agent is paused or its pause is beginning, returns true, and the agent's thread does [work] before the agent continues. Else
+     * returns false. Any thread may call this function.
      */
     fun meanwhile(work: () -> Unit): Boolean = lock.withLock {
         if (standing == null) return false
@@ -224,7 +225,7 @@ internal class AgentPausing(
         true
     }
 
-    /** Pauses the agent if it is to be paused before the cycle that begins now. Called by the agent's thread. */
+    /** If a pause is wanted before the cycle that begins now, pauses the agent. Called by the agent's thread. */
     fun cycleStarting() {
         isInCycle = true
         standIfWanted()
@@ -243,13 +244,12 @@ internal class AgentPausing(
     }
 
     /**
-     * Returns true if the agent need not begin a cycle in order to pause. If the world stops too, the agent pauses without an extra cycle.
+     * Returns true if the agent can pause without a new cycle. False only if a pause is wanted and the world does not stop with the agent.
      */
     fun maySleep(): Boolean = world.isStandingStill || wanted == null
 
     /**
-     * Returns true if the agent must not carry out an intention in this cycle, since it must pause before the next cycle. Called by the
-     * agent's thread between the rules of its cycle.
+     * Returns true if the agent must pause before it carries out an intention. Called by the agent's thread between the rules of its cycle.
      */
     fun isHolding(): Boolean {
         if (!isInCycle || !isWatching || !Insides.isBeforeIntention(ts) || !hasMet()) return false
@@ -264,7 +264,7 @@ internal class AgentPausing(
         if (world.isStandingStill) standIfWanted() else world.wake { wanted == null }
     }
 
-    /** Returns true if the agent must pause now; if so, notes the pause and its owners. */
+    /** Returns true if the agent must pause now, and notes the pause and its owners. */
     private fun hasMet(): Boolean {
         val option = ts.c.selectedOption
         val chosen = option.takeIf { it !== lastOption }?.plan
@@ -293,7 +293,6 @@ internal class AgentPausing(
         tell(RUNNING, null, emptyList())
     }
 
-    /** Makes the boards safe; returns the result for each board, in words. */
     private fun makeSafe(met: Met): List<String> {
         tell(MAKING_SAFE, met, emptyList())
         val boards = world.makeSafe() ?: return listOf(UNSAFE)
@@ -302,7 +301,7 @@ internal class AgentPausing(
         return boards.mapNotNull { it.getNow(null) }
     }
 
-    /** Waits for the next work of the paused agent and returns it; null: the agent goes on. */
+    /** Waits for the next work of the paused agent and returns it. Returns null when the agent continues. */
     private fun nextWork(): (() -> Unit)? = lock.withLock {
         while (works.isEmpty() && !mayGoOn) changed.awaitUninterruptibly()
         works.removeFirstOrNull().also { if (it == null) standing = null }
@@ -310,7 +309,7 @@ internal class AgentPausing(
 
     private fun carryOut(work: () -> Unit) = try {
         work()
-    } catch (broken: Throwable) { // a view or a debugger may throw anything; the agent must go on
+    } catch (broken: Throwable) { // a view or a debugger may throw anything, and the agent must continue
         log.log(Level.WARNING, "what was asked of the standing agent has failed", broken)
     }
 
@@ -319,7 +318,7 @@ internal class AgentPausing(
         listeners.forEach { carryOut { it(state) } }
     }
 
-    /** Lets the agent go on, and never pauses it again, since it ends. */
+    /** Lets the agent continue, and never pauses it again. Called when the agent ends. */
     override fun close() {
         isClosed = true
         goOn()
@@ -332,7 +331,7 @@ internal class AgentPausing(
     }
 }
 
-/** Returns why an agent with these [architectures] cannot be paused, in words; null: it can be paused. */
+/** Returns the reason, in words, why an agent with these [architectures] cannot be paused; null if it can be paused. */
 internal fun refusalToPause(architectures: Sequence<AgArch>): String? =
     if (architectures.none { it is LocalAgArchAsynchronous }) null
     else "the agent has a thread each for sensing, deliberating and acting, which cannot stand together; leave out \"asynchronous\" in " +

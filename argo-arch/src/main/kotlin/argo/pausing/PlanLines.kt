@@ -24,7 +24,7 @@ private class PlanLine(val plan: Plan, val number: Int, val text: String, val pl
 
 /**
  * The lines of an agent's plans at which it can be paused: the lines of triggers and of steps. An object keeps its lines when plans are
- * exchanged. Any thread may call.
+ * exchanged. Any thread may call the functions.
  */
 internal class PlanLines(agent: Agent) {
     private val lines = Plans.of(agent).copy().flatMap(::linesOf)
@@ -36,17 +36,17 @@ internal class PlanLines(agent: Agent) {
 
     fun has(file: String): Boolean = lines.any { isSameFile(it.place.file, file) }
 
-    /** Returns the first of these lines that is in [file], at or after [line]; null: there is none. */
+    /** Returns the first of these lines that is in [file], at or after [line]; null if there is none. */
     fun from(file: String, line: Int): Int? = of(file).filter { it.place.line >= line }.minOfOrNull { it.place.line }
 
-    /** Returns the time at which [file] was last saved; null: it is not on a disk. */
+    /** Returns the time at which [file] was last saved; null if it is not on a disk. */
     fun savedAt(file: String): FileTime? = (of(file).map { it.place.file } + listOfNotNull(source)).distinct()
         .filter { isSameFile(it, file) }.mapNotNull(::pathOf).filter { it.isRegularFile() }
         .maxOfOrNull { it.getLastModifiedTime() }
 
     /**
-     * Returns the line to which the trigger or step at [line] of [file] has moved. [now] are the lines after an exchange. Looks in the same
-     * plan or, if that is gone, in the most similar new plan for the same goal or belief; null: there is no such plan.
+     * Returns the line to which the trigger or step at [line] of [file] has moved. [now] are the lines after an exchange. Searches the plan
+     * of [line]. If this plan is gone, searches the most similar new plan for its goal or belief. Returns null if no new plan is similar.
      */
     fun moved(file: String, line: Int, now: PlanLines): Int? {
         val part = of(file).find { it.place.line == line } ?: return now.from(file, line)
@@ -83,10 +83,10 @@ private fun stepsIn(body: PlanBody?): List<PlanBody> =
 
 private fun within(term: Term?): List<PlanBody> = when {
     term is PlanBody -> stepsIn(term)
-    term is ListTermImpl -> term.asList.flatMap(::within) // term.terms would make Jason log a warning for a list
+    term is ListTermImpl -> term.asList.flatMap(::within) // for a list, term.terms would make Jason log a warning
     term is Structure -> term.terms.orEmpty().flatMap(::within) // a trigger's list of terms is null
     else -> emptyList()
 }
 
-/** A variable without a name, whose number differs with each reading. */
+/** A variable without a name. Each reading gives it another number. */
 private val UNNAMED = Regex("""\b_\d+\w*""")

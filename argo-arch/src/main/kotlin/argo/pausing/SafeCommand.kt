@@ -14,7 +14,8 @@ import java.util.concurrent.CompletableFuture
 internal class SafeCommand(private val command: Term, private val boards: AgentBoards) {
     /**
      * Sends the command to each board that the agent perceives, ahead of all waiting commands. If commands wait, sends it once more after
-     * them. For the agent's thread only.
+     * them. Only for the agent's thread.
+     *
      * @return the result at each board, in words for a person; completed within [LIMIT_MS] ms, by any thread
      */
     fun send(): List<CompletableFuture<String>> = boards.current.map(::send)
@@ -42,7 +43,7 @@ internal class SafeCommand(private val command: Term, private val boards: AgentB
         else "the board on ${board.term} has not got $command: ${failure.cause}"
 
     companion object {
-        /** The time limit in ms for the command. If it is over, the board is reported as not safe. */
+        /** The time limit in ms for the command. After it, the board is reported as not safe. */
         const val LIMIT_MS = 2000
     }
 }

@@ -19,22 +19,24 @@ import jason.asSyntax.PlanBody
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** The reason why an agent must pause: see [argo.observing.PauseState]. */
+/** The reason why an agent must pause, see [argo.observing.PauseState]. */
 internal data class Met(val why: String, val place: SourceLine? = null, val intention: Int? = null)
 
-/** A condition that pauses an agent when it is met. For the agent's thread only. */
+/** A condition that pauses an agent when it is met. Only for the agent's thread. */
 internal fun interface Stop {
     /**
-     * Returns why the agent of [ts] must pause now; null: the condition is not met. The first call may be made before the agent goes on.
-     * @param chosen the plan that the agent has chosen since the last call; null: it has chosen none
+     * Returns why the agent of [ts] must pause now; null if the condition is not met. The first call may be made before the agent
+     * continues.
+     *
+     * @param chosen the plan chosen since the last call, or null
      */
     fun met(ts: TransitionSystem, chosen: Plan?): Met?
 }
 
 /**
- * Pauses an agent before its next step if this is the first step at one of [lines], or the first step of a plan whose trigger is at one of
- * [lines]. Looks only at the intention whose turn is next. So if several intentions are at breakpoints, the agent is paused for one after
- * the other.
+ * Pauses an agent before a step at one of [lines], and before the first step of a plan with its trigger at one of [lines]. If several steps
+ * in a row are on one line, pauses only before the first. Considers only the intention that Jason carries out next. If several intentions
+ * are at breakpoints, the agent is paused for one after the other.
  */
 internal class Breakpoints : Stop {
     /** Any thread may set [lines]. */
@@ -60,7 +62,8 @@ internal class Breakpoints : Stop {
 }
 
 /**
- * Returns the condition [stop] for the agent of [ts]. Any thread may call.
+ * Returns the condition [stop] for the agent of [ts]. Any thread may call this function.
+ *
  * @throws IllegalArgumentException if [stop] cannot be read, or names a plan that the agent does not have
  */
 internal fun stopOf(stop: StopAt, ts: TransitionSystem): Stop = when (stop) {
@@ -86,7 +89,7 @@ private fun chosen(plan: Plan, ts: TransitionSystem): Met {
     return Met("the plan ${plan.label?.functor} for ${plan.trigger} was chosen", placeOf(plan), intention?.id)
 }
 
-/** Pauses an agent when it has a belief that unifies with a pattern and that it did not have at the first call. */
+/** Pauses an agent when it has a new belief that unifies with a pattern. New means that the agent did not have it at the first call. */
 private class NewBelief(text: String) : Stop {
     private val pattern: Literal = try {
         PerceptReader.read(text)
@@ -103,7 +106,7 @@ private class NewBelief(text: String) : Stop {
     }
 }
 
-/** Pauses an agent before the step that follows, in one intention, the step that was next at the first call. */
+/** Pauses an agent before the next step of one intention. The first call notes the step that is next at that time. */
 private class NextStep(private val wanted: StopAt.Step) : Stop {
     private class From(val depth: Int, val means: IntendedMeans, val step: PlanBody?)
 

@@ -20,10 +20,10 @@ import jason.asSyntax.Term
 /**
  * Turns the text of a percept into the literal for the agent's beliefs.
  *
- * A text that Jason cannot read, or that makes no sense as a percept, is left out, with one warning for each distinct text. Literals are
+ * A text that Jason cannot read, or that makes no sense as a percept, is left out. Each distinct text causes one warning. Literals are
  * cached and reused, since Jason copies a literal when it adds the literal to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace the namespace of the percepts; null: each percept has the namespace in its text, mostly the default one
+ * @param namespace the namespace of the percepts; if null, each percept has the namespace in its text, mostly the default one
  * @param warn logs one line for each text that is left out
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
@@ -38,7 +38,10 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** Returns the literal of [percept]; none if it is left out; several if a stray quote or bracket had joined several percepts. */
+    /**
+     * Returns the literal of [percept]. Returns none if it is left out, and several if a stray quote or bracket had joined several
+     * percepts.
+     */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
@@ -63,12 +66,14 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
         const val MAX_CACHED = 4096
         const val MAX_REPORTED = 100
 
-        /** Longer texts are not cached: 4096 of the longest messages would fill the heap of a small computer. */
+        /** Longer texts are not cached, since 4096 of the longest messages would fill the heap of a small computer. */
         const val MAX_CACHED_LENGTH = 1024
     }
 }
 
-/** Explains why an agent leaves out the percept with the text [percept]; null: the agent believes it. Any thread may call. */
+/**
+ * Explains why an agent leaves out the percept with the text [percept]; null if the agent believes it. Any thread may call this function.
+ */
 fun whyLeftOut(percept: String): String? = (parse(percept) as? Reading.Unreadable)?.why
 
 private sealed interface Reading {
@@ -92,7 +97,7 @@ private fun parse(percept: String): Reading = try {
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 
-/** Explains why [term] has no fixed value; null: it has one. The value of a sum of numbers is a number. */
+/** Explains why [term] has no fixed value; null if it has one. The value of a sum of numbers is a number. */
 private fun whyNoValue(term: Term): String? = when {
     term is ArithExpr -> term.terms.firstNotNullOfOrNull(::whyNoValue) ?: whyNoNumber(term.capply(Unifier()) as NumberTerm)
     term is ArithFunctionTerm -> "it holds a function, which would be computed anew each time that the agent looks at it"
@@ -111,7 +116,7 @@ private fun claim(literal: Literal): String? {
     return whyClaimed("${literal.functor}/${literal.arity}", last?.functor)
 }
 
-/** Removes the sources that the text of [literal] names: the only source of a board's literal is `percept`. */
+/** Removes the sources that the text of [literal] names, since the only source of a board's literal is `percept`. */
 private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))

@@ -16,7 +16,7 @@ import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
-/** The interface of a board for its [BoardPercepts]. Any thread may call. */
+/** A board, as its [BoardPercepts] see it. Any thread may call the functions. */
 internal interface PerceivedBoard {
     /** The board's percepts that the agent believes. */
     val sensed: List<Literal>
@@ -31,8 +31,8 @@ internal interface PerceivedBoard {
 /**
  * Turns each message of [board] into a [Snapshot] for the agent, and passes the snapshot to [handOver].
  *
- * The sensing thread makes a snapshot of each message. The agent's thread makes a snapshot when held-back percepts are due. Both make
- * snapshots and pass them on under one lock, so no older snapshot follows a newer one. Safe for use by several threads.
+ * The sensing thread makes a snapshot of each message. The agent's thread makes a snapshot when held-back percepts are due. Both threads
+ * make and pass on snapshots under one lock, so no older snapshot follows a newer one. Safe for use by several threads.
  *
  * @param reader reads percepts as literals, which [limit] then limits in number
  * @param handOver receives the snapshots
@@ -52,7 +52,7 @@ internal class BoardPercepts(
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest message, without reports
-    private var olderNanos: Map<String, Long> = emptyMap() // the percepts older than the message, each with the time at which it was true
+    private var olderNanos: Map<String, Long> = emptyMap() // percepts older than the message, each with the time at which it was true
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were last seen. */
@@ -70,7 +70,7 @@ internal class BoardPercepts(
     var request: String = PerceptsRequest.ALL
         private set
 
-    /** Uses [filter] from now on; null: no filter. Makes snapshots that wait for the agent anew, with the new filter. */
+    /** Uses [filter] from now on. If [filter] is null, every percept passes. Makes waiting snapshots again, with the new filter. */
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
         request = perceptsRequest(filter)
         session.switchTo(filter)
@@ -86,9 +86,10 @@ internal class BoardPercepts(
     /**
      * Makes a snapshot of [message] and passes it on. The last byte of the message arrived from [port] at [receivedNanos], by the
      * platform's clock. The snapshot also contains percepts that the board has [reported] since [askedNanos], the time of the request.
+     *
      * @param seenNanos the percepts older than the message, each with the time at which it was true
      * @param event see [argo.links.BoardMessage.event]
-     * @return true if the agent perceives the board on [port]; else the message is dropped
+     * @return true if the agent perceives the board on [port]; if false, the message is dropped
      */
     fun received(
         port: OpenPort,
@@ -115,11 +116,11 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and passes on a snapshot of the newest message from [port] with [percept] in it. The board's report of [percept] arrived at
-     * [receivedNanos]; the percept meets [rule].
+     * Makes and passes on a snapshot of the newest message from [port] with [percept] in it. The board's report of [percept], which meets
+     * [rule], arrived at [receivedNanos].
      *
      * @param outcome the outcome of the reflex of [rule]
-     * @return true if the agent perceives the board on [port]; else the report is dropped
+     * @return true if the agent perceives the board on [port]; if false, the report is dropped
      */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean {
         val text = perceptsOf(percept).firstOrNull()
@@ -141,7 +142,7 @@ internal class BoardPercepts(
         }
     }
 
-    /** Returns [Snapshot.seenNanos] of a message to which the percepts [reported] were added; null: all were seen at [receivedNanos]. */
+    /** Returns [Snapshot.seenNanos] of a message to which the percepts [reported] were added; null if all were seen at [receivedNanos]. */
     private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
         if (reported.isEmpty() && seenNanos.isEmpty()) return null
         val older = reported.flatMap(reader::read).toSet()
@@ -150,8 +151,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * If held-back percepts are due now, adds them to the newest snapshot and passes it on. Does not wait for a sensing thread that is
-     * making a snapshot, since that snapshot will contain the due percepts.
+     * If held-back percepts are due now, adds them to the newest snapshot and passes it on. If a sensing thread is making a snapshot, does
+     * not wait for it, since its snapshot will contain the due percepts.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -163,10 +164,10 @@ internal class BoardPercepts(
         }
     }
 
-    /** Returns the ms until a held-back percept is due; null: none is held back. */
+    /** Returns the ms until a held-back percept is due; null if none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Forgets waiting snapshots, held-back percepts, readings and met rules, since they belong to an earlier time or to another board. */
+    /** Forgets waiting snapshots, held-back percepts, readings and met rules. Called when they are outdated or from another board. */
     fun forget() = lock.withLock {
         session.forget()
         newest = null
@@ -198,7 +199,7 @@ internal class BoardPercepts(
         leave(port, perception, receivedNanos, seenNanos, event?.let { eventOf(it, perception.percepts) })
     }
 
-    /** Returns the event whose percept has this [text], if [percepts] contains the percept; null: the filter has dropped it. */
+    /** Returns the event for the percept with this [text]; null if the filter has dropped the percept, so [percepts] lacks it. */
     private fun eventOf(text: String, percepts: List<Literal>): PerceptEvent? {
         if (text.isEmpty()) return PerceptEvent(emptyList(), emptyList())
         return reader.read(text).filter(percepts::contains).takeIf { it.isNotEmpty() }?.let { PerceptEvent(listOf(text), it) }

@@ -12,12 +12,12 @@ import jason.bb.StructureWrapperForLiteral
 
 /**
  * Adds the missing namespaces to events of deleted percepts. When Jason deletes `left::dist(f,30)` and finds a plan for
- * `-left::dist(f,30)`, it makes the event `-dist(f,30)`, for which there is no plan. For the agent's thread only.
+ * `-left::dist(f,30)`, it makes the event `-dist(f,30)`. The agent has no plan for this event. For the agent's thread only.
  */
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()
 
-    /** Notes that Jason is about to replace all percepts of [agent] by [percepts]. */
+    /** Called before Jason replaces all percepts of [agent] by [percepts]. */
     fun expect(agent: Agent, percepts: Collection<Literal>) {
         val stay = percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
         deleted = agent.bb.percepts.asSequence()

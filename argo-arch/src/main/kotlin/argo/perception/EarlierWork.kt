@@ -14,7 +14,7 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * The queues of an agent in Jason. Any thread may read them.
  *
- * @property isStanding returns true if Jason takes no event from its queue now, as while an atomic plan runs or is suspended
+ * @property isStanding returns true if Jason takes no event from its queue now, for example during an atomic plan
  * @property running returns the intentions that wait for their next step
  * @property events returns the events that wait
  */
@@ -25,20 +25,22 @@ internal class ReasoningQueues(
 )
 
 /**
- * The work that a board's snapshot has left to the agent, from its hand-over on:
- * 1. the snapshot's percept events in Jason's queue. Jason handles one event a cycle, so events would pile up if snapshots did not wait for
- *    them. Later events are not awaited: a busy Jason environment could keep the agent from its sensors for good. While Jason takes no
- *    event, as during an atomic plan, the agent awaits only [ATOMIC_PLAN_INTERVAL_MS], so an atomic plan sees the world too;
- * 2. the commands that the board holds and that were issued before the hand-over. They would pile up, since the line is slower than the
- *    agent. If later commands were awaited too, a plan that loops on `argo.act` would keep the agent from its sensors;
- * 3. the intentions that percept events of the board have begun. They would pile up, since Jason runs one step a cycle. An intention is
- *    awaited until it has finished, or waits, for example for the outcome of a command. After [LONG_MS] it is no longer awaited, since it
- *    is meant to run on.
- * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; only the agent's thread may call the other functions.
+ * The work that a board's snapshot has caused in the agent, from its hand-over on. A new snapshot waits for this work, which would
+ * otherwise pile up.
+ * 1. The snapshot's percept events in Jason's queue. Jason handles one event in a cycle. Later events are not awaited, since a busy Jason
+ *    environment could keep the agent from its sensors for good. While Jason takes no event, as during an atomic plan, the agent waits only
+ *    [ATOMIC_PLAN_INTERVAL_MS]. This lets an atomic plan see the world.
+ * 2. The commands to the board that were issued before the hand-over. The line is slower than the agent. Later commands are not awaited,
+ *    since a plan that loops on `argo.act` would keep the agent from its sensors.
+ * 3. The intentions that percept events of the board have begun. Jason runs one step in a cycle. An intention is awaited until it has
+ *    finished, or waits, for example for the outcome of a command. After [LONG_MS] it is no longer awaited, since it is meant to run on.
+ *
+ * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]. All other functions are for the agent's thread only.
+ *
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
- * @param isOwn returns true if a percept belongs to the board, or is in its namespace and belongs to no board that the agent perceives;
- * called by any thread
+ * @param isOwn returns true if a percept belongs to the board, or is in the board's namespace and belongs to no perceived board. Called by
+ * any thread
  */
 internal class EarlierWork(
     val commands: CommandLedger,
@@ -46,11 +48,11 @@ internal class EarlierWork(
     private val nowMs: () -> Long = Platform.system.nowMs,
     private val isOwn: (Literal) -> Boolean = { true },
 ) {
-    /** The percept events in the queue when the last snapshot's had just joined it; null: they have not joined it, or Jason takes none. */
+    /** The percept events in the queue just after the last snapshot's events were added. Null before, and while Jason takes no events. */
     @Volatile
     private var events: Set<Event>? = null
 
-    /** The time of the last hand-over; null: there was none. */
+    /** The time of the last hand-over; null if there was none. */
     @Volatile
     private var handedOverMs: Long? = null
 
@@ -61,23 +63,24 @@ internal class EarlierWork(
     /** The number of events in Jason's queue, of any kind. */
     val waitingEvents: Int get() = queues.events().size
 
-    /** Notes that a snapshot is being handed over, whose work is awaited from now on. */
+    /** Notes that a snapshot is being handed over. From now on, the work of this snapshot is awaited. */
     fun begin() {
         lastCommand = commands.lastIssued()
         events = null
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot's events have joined the queue: events that join later do not belong to this snapshot. */
+    /** Notes that the last snapshot's events have been added to the queue. Later events do not belong to this snapshot. */
     fun takenIn() {
-        if (events != null || queues.isStanding()) return // only once a snapshot: the queue may hold tens of thousands of events
+        if (events != null || queues.isStanding()) return // once for each snapshot, since the queue may hold thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
     }
 
     /**
      * Returns true if no work is left.
-     * @param isAwaited true: the agent's thread asks because a snapshot waits. If only intentions are left, such a call sets the time until
-     * which they are awaited
+     *
+     * @param isAwaited true if the agent's thread asks because a snapshot waits. If only intentions are left, the call then sets the time
+     * until which they are awaited
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
@@ -88,7 +91,7 @@ internal class EarlierWork(
         begun.forEach { deadlines.putIfAbsent(it, deadline) }
     }
 
-    /** Returns the kind of work that is left, in words; null: no work is left. */
+    /** Returns the kind of work that is left, in words; null if no work is left. */
     fun kindLeft(): String? = kindLeft(isAwaited = false)
 
     private fun kindLeft(isAwaited: Boolean): String? {
@@ -99,7 +102,7 @@ internal class EarlierWork(
         return if (begun.any(::awaits)) "plans that earlier percepts have begun still run" else null
     }
 
-    /** Returns the ms until commands to other boards are no longer awaited; null: no such command is awaited. */
+    /** Returns the ms until commands to other boards are no longer awaited; null if none is awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
 
     private fun areEventsDone() =
@@ -114,7 +117,7 @@ internal class EarlierWork(
         beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
     }
 
-    /** Returns the event that began [intention]; null: the intention has finished, perhaps during this call. */
+    /** Returns the event that began [intention]. Returns null if the intention has finished, perhaps during this call. */
     private fun beginningOf(intention: Intention): Literal? = try {
         intention.bottom?.trigger?.literal
     } catch (_: NoSuchElementException) {
@@ -123,12 +126,15 @@ internal class EarlierWork(
 
     companion object {
         /**
-         * The shortest time, in ms, between two hand-overs while Jason takes no event, as during an atomic plan. The events that each
-         * hand-over adds meanwhile slow down each cycle, and must all be handled later.
+         * The shortest time, in ms, between two hand-overs while Jason takes no event, as during an atomic plan. The events of each
+         * hand-over slow down each cycle, and must all be handled later.
          */
         const val ATOMIC_PLAN_INTERVAL_MS = 100
 
-        /** The ms for which an intention is awaited. If a snapshot's other work took longer, its intentions are awaited as long again. */
+        /**
+         * The ms for which an intention is awaited. If a snapshot's other work took longer, its intentions are awaited as long as that work
+         * took.
+         */
         const val LONG_MS = 1000L
     }
 }

@@ -10,13 +10,13 @@ import jason.asSyntax.Literal
 
 /**
  * Filters the percepts that an agent without `argo.Arch` gets from its Jason environment. The agent's first call of `argo.change_filter`
- * puts this architecture in front of the agent's others.
+ * inserts this architecture in front of the agent's other architectures.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
     private val environment = EnvironmentPercepts(perceivedSoFar, Platform.system.nowMs)
     private val waker = Waker(this)
 
-    /** Uses [filter] from the next perception on; null: no filter. Called by the agent's thread. */
+    /** Uses [filter] from the next perception on. If [filter] is null, every percept passes. Called by the agent's thread. */
     fun perceiveThrough(filter: PerceptionFilter?) = environment.switchTo(filter)
 
     fun explain(percept: Literal): String = environment.explain(percept)
@@ -31,9 +31,12 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     override fun canSleep(): Boolean = !environment.isWaiting() && super.canSleep()
 
     companion object {
-        /** Puts a filter in front of the architectures of the agent of [ts], which must not have one yet. Called by the agent's thread. */
+        /**
+         * Inserts a filter in front of the architectures of the agent of [ts], which must not have a filter yet. Called by the agent's
+         * thread.
+         */
         fun insertInto(ts: TransitionSystem): EnvironmentFilter {
-            // so far the agent had no filter, so its percept beliefs are the environment's last result
+            // without a filter, the agent's percept beliefs are the environment's last result
             val perceived = ts.ag.bb.percepts.asSequence().filter { it.subjectToBUF() }.toList()
             return EnvironmentFilter(perceived).also { ts.agArch.insertAgArch(it) }
         }

@@ -21,14 +21,14 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     var percepts: List<Literal> = last
         private set
 
-    /** Uses [filter] from the next perception on; null: no filter. */
+    /** Uses [filter] from the next perception on. If [filter] is null, every percept passes. */
     fun switchTo(filter: PerceptionFilter?) {
         session.switchTo(filter)
         dueMs = null
         filterIsNew = true
     }
 
-    /** Takes in [news] from the next architecture's `perceive()`; null: nothing is new. Returns true if [percepts] may have changed. */
+    /** Takes in [news] from the next architecture's `perceive()`; null if nothing is new. Returns true if [percepts] may have changed. */
     fun update(news: Collection<Literal>?): Boolean {
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())
@@ -40,10 +40,10 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         return now != null
     }
 
-    /** Returns the ms until a held-back percept is due; null: none is held back. */
+    /** Returns the ms until a held-back percept is due; null if none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Returns true if a call of [update] may change [percepts] even without news. */
+    /** Returns true if a call of [update] without news may change [percepts]. */
     fun isWaiting(): Boolean = filterIsNew || dueInMs() == 0L
 
     fun explain(percept: Literal): String = session.explain(percept, nowMs()).toString()

@@ -9,13 +9,13 @@ import jason.bb.StructureWrapperForLiteral
 import java.util.Queue
 
 /**
- * Moves the events of the new percepts in [critical] to the front of [queue]. Within these and within all other events, the order stays.
- * Other threads may add events at the same time; no event is lost.
+ * Moves the events of the new percepts in [critical] to the front of [queue]. The order of these events, and of all others, does not
+ * change. Other threads may add events meanwhile, and no event is lost.
  */
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
     if (queue.none { tellsOf(it, wanted) }) return
-    val waiting = generateSequence(queue::poll).toList() // the whole queue: a partial move could miss another thread's event
+    val waiting = generateSequence(queue::poll).toList() // the whole queue, since a partial move could miss another thread's event
     val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
     queue.addAll(urgent)
     queue.addAll(others)
@@ -28,14 +28,15 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
 }
 
 /**
- * Lets the percept events of several namespaces take turns in Jason's queue. Otherwise a board with many events would delay other boards,
- * since Jason takes one event a cycle.
+ * Lets the percept events of several namespaces take turns in Jason's queue. Jason takes one event in a cycle, so a board with many events
+ * would otherwise delay other boards.
  *
- * The turn of a percept event is its place among the percept events of its namespace, and a new event goes behind all events that have no
- * later turn. So no event goes in front of the first one of a namespace, and Jason reaches each event, however many come.
+ * The turn of a percept event is its position among the percept events of its namespace. A new event is put after all events with an equal
+ * or earlier turn. Therefore no event gets in front of the first event of a namespace. Jason reaches each event, even if new ones keep
+ * coming.
  *
- * @param queue the agent's event queue. Other threads may add events at the same time; no event is lost
- * @param waiting the number of events that were in the queue before those of the new snapshots; these keep their order
+ * @param queue the agent's event queue. Other threads may add events meanwhile, and no event is lost
+ * @param waiting the number of older events, which were in the queue before the events of the new snapshots. Older events keep their order
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int) {
     val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)
@@ -48,7 +49,7 @@ internal fun takeTurns(queue: Queue<Event>, waiting: Int) {
     queue.addAll(inTurn.zip(kept + turns.drop(waiting)).sortedBy { (_, turn) -> turn }.map { (event, _) -> event } + others)
 }
 
-/** Returns the turn of each event; an event of another kind has that of the percept event in front of it. */
+/** Returns the turn of each event. An event of another kind has the turn of the percept event before it. */
 private fun turns(events: List<Event>): List<Int> {
     val counts = HashMap<String, Int>()
     var turn = 0

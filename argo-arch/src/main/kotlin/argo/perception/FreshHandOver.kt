@@ -8,14 +8,18 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [work] that the previous one has left to the agent is done. A snapshot with a
- * critical percept that the previous one did not have is called critical, and handed over at once. Until then, only a newer snapshot that
- * meets the same critical rules replaces it. So there are never more critical snapshots than critical rules. While [MANY_EVENTS] wait in
- * Jason's queue, each rule lets only one critical snapshot pass at once; the others wait for the work, so that events do not pile up. Each
- * [event][Snapshot.event] of a board is handed over in its turn, with the newest of all other percepts. If more than [MAX_EVENTS] wait, the
- * oldest are lost.
+ * Keeps only the newest snapshot. Hands it over when the [work] that the previous snapshot has caused is done.
+ *
+ * A snapshot is critical if it has a critical percept that the previous snapshot did not have. A critical snapshot is handed over at once.
+ * A newer critical snapshot replaces a waiting one only if it meets all critical rules of the waiting one. Therefore at most one critical
+ * snapshot waits for each critical rule. If [MANY_EVENTS] wait in Jason's queue, each rule lets only one critical snapshot pass at once.
+ * Further critical snapshots wait for the work, so that events do not pile up.
+ *
+ * Each [event][Snapshot.event] of a board is handed over in order, with the newest of all other percepts. If more than [MAX_EVENTS] wait,
+ * the oldest are lost.
+ *
  * @param tellLost called at each loss, with the number of events lost so far
- * @param tellLate called without the lock if snapshots have waited longer than [LATE_MS]; `why` is the kind of work for which they wait
+ * @param tellLate called without the lock if snapshots have waited longer than [LATE_MS]; `why` is the kind of awaited work
  */
 internal class FreshHandOver(
     private val work: EarlierWork,
@@ -24,18 +28,18 @@ internal class FreshHandOver(
 ) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
-    private val events = LinkedBlockingQueue<PerceptEvent>() // changed under the lock only
-    private var last: Snapshot? = null // the snapshot that was taken last, without its event
+    private val events = LinkedBlockingQueue<PerceptEvent>() // changed only under the lock
+    private var last: Snapshot? = null // the last taken snapshot, without its event
     private var lost = 0L
-    private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass before the work was done, since it was last done
+    private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass since the work was last done
 
-    private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
+    private var waitingSince: Long? = null // the time of the first message since the last hand-over, or null
 
     @Volatile
     private var newest: Snapshot? = null
 
-    /** True if the next snapshot need not wait for any work: see [catchUp]. */
+    /** True if the next snapshot does not wait for work, see [catchUp]. */
     @Volatile
     private var isCatchingUp = false
 
@@ -146,7 +150,7 @@ internal class FreshHandOver(
         /** The time in ms after which waiting snapshots are reported. */
         const val LATE_MS = 2000L
 
-        /** While fewer events than this number wait, each critical snapshot is handed over at once. */
+        /** If fewer events wait, each critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
 
         /** The largest number of events that wait for their hand-over. */

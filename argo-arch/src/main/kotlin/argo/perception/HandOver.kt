@@ -4,8 +4,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Passes snapshots from the sensing thread to the agent's thread; neither waits for the other. The agent's thread calls [take] in each
- * perception; any thread may call the other functions.
+ * Passes snapshots from the sensing thread to the agent's thread. Neither thread waits for the other. The agent's thread calls [take] in
+ * each perception. Any thread may call the other functions.
  */
 internal interface HandOver {
     /** Keeps [snapshot] for the agent. May drop it if there is a snapshot of a newer message. */
@@ -14,29 +14,29 @@ internal interface HandOver {
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if [take] would return a snapshot now, and this snapshot need not wait for other boards' answers. */
+    /** Returns true if [take] would return a snapshot now, and this snapshot does not wait for other boards' answers. */
     fun isUrgent(): Boolean = isReady()
 
-    /** Returns the ms after which a snapshot may become ready even without news; null: none may become ready. */
+    /** Returns the ms after which a snapshot may become ready without news; null if none may become ready. */
     fun dueInMs(): Long? = null
 
-    /** Removes and returns the snapshot that the agent perceives now; null: none is ready. */
+    /** Removes and returns the snapshot that the agent perceives now; null if none is ready. */
     fun take(): Snapshot?
 
     /** Removes and returns all snapshots, in the order of their messages. */
     fun drain(): List<Snapshot>
 
     /**
-     * Called after a pause of the agent. Drops all snapshots but the newest, which the agent gets next, whatever work is left. Returns how
-     * many of the dropped snapshots the agent would have perceived.
+     * Called after a pause of the agent. Drops all snapshots except the newest. The agent gets the newest one next, even if work is left.
+     * Returns how many of the dropped snapshots the agent would have perceived.
      */
     fun catchUp(): Int
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of those that were taken. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of the taken ones. */
     fun clear()
 }
 
-/** Hands over every snapshot, in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost, with one warning. */
+/** Hands over every snapshot, in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost. Warns at the first loss. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()

@@ -10,6 +10,7 @@ import kotlin.concurrent.withLock
 /**
  * The times at which a message of a board last contained each percept. Holds at most about twice as many percepts as the agent believes and
  * is about to believe. Safe for use by several threads.
+ *
  * @param believed returns the board's percepts that the agent believes now; called by any thread
  */
 internal class LastSeen(private val believed: () -> Collection<Literal>) {
@@ -20,7 +21,7 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
      * Notes that a message arrived at [atNanos], by the platform's clock.
      *
      * @param seen the message's percepts that the filter lets through
-     * @param delivered all percepts that the agent will believe after the message, also those that come from earlier messages
+     * @param delivered all percepts that the agent will believe after the message, even those from earlier messages
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
         for (percept in seen) {
@@ -31,12 +32,11 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
         }
     }
 
-    /** Returns when [percept] was last seen, by the platform's clock; null: no message has contained it. Annotations do not matter. */
+    /** Returns when [percept] was last seen, by the platform's clock; null if no message has contained it. Ignores annotations. */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
 
     /**
-     * Of the percepts in [beliefs] that unify with [percept] under [un], returns the one that was seen last, with the time; null: none.
-     *
+     * Returns the percept in [beliefs] that unifies with [percept] under [un] and was seen last, with the time; null if none unifies.
      * Called by the agent's thread.
      *
      * @param nowNanos the time by the platform's clock

@@ -5,7 +5,7 @@ import jason.asSyntax.Literal
 
 /**
  * Limits how many percepts of a board an agent believes at once. Critical percepts are chosen first, then others in the order of the
- * message; the rest is left out. The log warns once, and warns again only after [RateLimitedWarning.QUIET_MS] without excess. Not safe for
+ * message. The rest is left out. The log warns once, and warns again only after [RateLimitedWarning.QUIET_MS] without excess. Not safe for
  * use by several threads at once.
  *
  * @param max the largest number of percepts
@@ -28,7 +28,7 @@ internal class PerceptLimit(private val max: Int, private val warning: RateLimit
     companion object {
         const val OPTION = "argo_percepts"
 
-        /** The default limit: more than a board can send in a second at 115200 baud. */
+        /** The default limit. A board cannot send as many percepts in a second at 115200 baud. */
         const val DEFAULT = 4096
     }
 }

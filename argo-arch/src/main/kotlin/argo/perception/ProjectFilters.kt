@@ -9,15 +9,15 @@ import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
 /**
- * Finds the filter that [agent] calls [name]; null: [name] is `none`, which means no filter. Looks among the filters of services, in the
- * directory in which the project was started, in the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the
- * class path.
- * @throws argo.filters.FilterNotFoundException if there is no such filter
+ * Finds the filter that [agent] calls [name]. Returns null for the name `none`. Searches the filters of services, the start directory of
+ * the project, the directory of the agent's `.asl`, `filters/` in both directories, and `filters/` on the class path.
+ *
+ * @throws argo.filters.FilterNotFoundException if no filter has this name
  * @throws argo.filters.FilterException if the filter is refused
  */
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter? = if (name == NO_FILTER) null else finderOf(agent).find(name)
 
-/** Returns the file on a disk in which [filterOf] finds the filter; null: the filter is not in a file. */
+/** Returns the file on a disk in which [filterOf] finds the filter; null if the filter is not in a file. */
 internal fun filterPath(agent: Agent, name: String): Path? = finderOf(agent).path(name)
 
 internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()

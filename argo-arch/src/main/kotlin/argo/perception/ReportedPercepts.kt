@@ -4,8 +4,8 @@ import argo.filters.CriticalRule
 import javino.wire.Shape
 
 /**
- * The percepts that a board has reported since the request for its newest message: for each critical rule, the last report. They are kept
- * because the board may have made the message before the reports. Not safe for use by several threads at once.
+ * The percepts that a board has reported since the request for its newest message: for each critical rule, the last report. The reports are
+ * kept because the board may have made the message before them. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
@@ -20,7 +20,7 @@ internal class ReportedPercepts {
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** Drops reports from before [askedNanos], the time of the request for a message that has come: the message is newer. */
+    /** Drops reports from before [askedNanos], since the message that was requested at [askedNanos] is newer. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
@@ -28,8 +28,8 @@ internal class ReportedPercepts {
     fun clear() = reports.clear()
 
     /**
-     * Returns [message] with each report put in place of the older percept of the same sensor. A report without such an older percept goes
-     * to the end.
+     * Returns [message] with each report in place of the older percept of its sensor. If there is no older percept, the report goes to the
+     * end.
      */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
@@ -40,7 +40,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** Returns how many of [numbers] are at the same places in [other]: `sonar(2,9)` replaces `sonar(2,40)`, not `sonar(1,30)`. */
+    /** Returns how many of [numbers] are also in [other] at their places. `sonar(2,9)` must replace `sonar(2,40)`, not `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

@@ -14,9 +14,9 @@ import jason.asSyntax.Literal
  * @property percepts the beliefs that the agent gets from the message
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
- * @property unreadable the percepts in [kept] that cannot be believed
- * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if only an older message
- * contained it. If the function itself is null, all were seen at [receivedNanos]
+ * @property unreadable the percepts in [kept] that the agent cannot believe
+ * @property seenNanos returns the time of one of [percepts], by the platform's clock; null if only an older message contained it. If this
+ * function is null, all percepts were seen at [receivedNanos]
  * @property event the event among the percepts, see [argo.links.BoardMessage.event]
  */
 internal class Snapshot(
@@ -33,7 +33,6 @@ internal class Snapshot(
     override val portName: String get() = port?.link?.port.orEmpty()
     override val namespace: String? get() = port?.options?.namespace
 
-    /** Returns this snapshot with [event] added. */
     fun with(event: PerceptEvent) = copy(texts + event.texts, kept + event.texts, percepts + event.percepts, event)
 
     fun withoutEvent(): Snapshot =

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items] on a separate thread called [name], or on the calling thread if the machine has no thread left. Returns
+ * Does [work] for each of [items] on a separate thread called [name]. If the machine has no thread left, uses the calling thread. Returns
  * when all work has ended. An exception of [work] ends only its thread.
  */
 internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {

@@ -9,8 +9,8 @@ import java.lang.reflect.Method
 /**
  * The plan library of an agent in Jason.
  *
- * The library's class is in different packages in Jason 3.3.0 and 3.2.1, and compiled code can name only one of them. So this class calls
- * the methods of both versions by reflection; no other code may name Jason's class. For the agent's thread.
+ * The library's class is in different packages in Jason 3.3.0 and 3.2.1, and compiled code can name only one of them. Therefore this class
+ * calls the methods of both versions by reflection. No other code may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */
@@ -19,7 +19,10 @@ class Plans private constructor(val library: Any) {
     @Suppress("UNCHECKED_CAST")
     val all: List<Plan> get() = call(ALL, library) as List<Plan>
 
-    /** Returns a copy of the plans in their order. Any thread may call. A plan that is being added at this moment may be missing. */
+    /**
+     * Returns a copy of the plans in their order. A plan that is being added at this moment may be missing. Any thread may call this
+     * function.
+     */
     fun copy(): List<Plan> = ArrayList<Plan?>(all).filterNotNull()
 
     /** Returns true if a plan may be relevant to an event with [trigger]. */
@@ -47,7 +50,7 @@ class Plans private constructor(val library: Any) {
 
         fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
 
-        /** Returns the plans that [read] adds to [agent]. Afterwards the agent has the same plans as before. */
+        /** Returns the plans that [read] adds to [agent]. Then removes these plans from the agent. */
         fun readInto(agent: Agent, read: () -> Unit): List<Plan> {
             val before = of(agent)
             val empty = TYPE.getConstructor().newInstance()
@@ -60,7 +63,7 @@ class Plans private constructor(val library: Any) {
             return Plans(empty).all
         }
 
-        /** Returns the plans written inside [plan]; null: there are none. */
+        /** Returns the plans written inside [plan]; null if there are none. */
         fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)
 
         fun isLibrary(one: Any): Boolean = TYPE.isInstance(one)

@@ -14,14 +14,16 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine; a test can pass a platform with virtual
- * time. Any thread may call.
+ * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine. A test can pass a platform with virtual
+ * time. Any thread may call the functions.
  */
 interface Platform {
-    /** The clock of the architecture, whose threads wait on locks of this clock. */
+    /** The clock of the architecture. The architecture's threads wait on locks of this clock. */
     val clock: LineClock
 
-    /** The boundary that gives agents on this platform their inputs, as in a replay; null: inputs come from [open] ports and from Jason. */
+    /**
+     * The boundary that gives agents on this platform their inputs, as in a replay. If null, inputs come from [open] ports and from Jason.
+     */
     val boundary: Boundary? get() = null
 
     /** True if the world and its time stop while an agent's thread is blocked, as in virtual time and in a replay. */
@@ -30,7 +32,10 @@ interface Platform {
     /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /** Does [action] in [delayMs] ms of [clock], unless the whole system has ended. [action] must not wait. Its exceptions are logged. */
+    /**
+     * Does [action] in [delayMs] ms of [clock]. Does nothing if the whole system has ended. [action] must not wait. Its exceptions are
+     * logged.
+     */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
@@ -38,7 +43,7 @@ interface Platform {
      */
     fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
-    /** Returns true if [port] can probably be opened; does not open it. Called about once a second while a device is missing. */
+    /** Returns true if [port] can probably be opened, but does not open it. Called about once a second while a device is missing. */
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
@@ -54,7 +59,7 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the multi-agent system is being stopped, so nobody needs the action any more
+                    // the multi-agent system is being stopped, so nobody needs the action
                 }
             }
 
@@ -70,5 +75,4 @@ interface Platform {
     }
 }
 
-/** Milliseconds of a clock that never goes back. */
 internal val Platform.nowMs: () -> Long get() = { clock.nanos() / 1_000_000 }

@@ -4,9 +4,9 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Logs a condition once when it begins. A condition lasts until it has not occurred for [QUIET_MS]. So a board that causes it again and
- * again does not fill the log. If more than [MAX_KINDS] conditions last, the log says only that there are others. Safe for use by several
- * threads.
+ * Logs a condition once when it begins. A condition lasts until it has not occurred for [QUIET_MS]. A board that causes a condition
+ * repeatedly does not fill the log. If more than [MAX_KINDS] conditions last, the log only says that there are others. Safe for use by
+ * several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param warn logs the message
@@ -32,10 +32,10 @@ internal class RateLimitedWarning(private val nowMs: () -> Long, private val war
     }
 
     companion object {
-        /** A condition that has not occurred for this time, in ms, has ended. */
+        /** If a condition has not occurred for this time, in ms, it has ended. */
         const val QUIET_MS = 60_000L
 
-        /** The largest number of conditions that are told apart at a time. */
+        /** The largest number of conditions that are distinguished at a time. */
         const val MAX_KINDS = 100
     }
 }

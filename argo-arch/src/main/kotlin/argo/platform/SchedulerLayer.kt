@@ -8,11 +8,10 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place], in
- * whichever order they are installed. [below] is the next lower layer.
+ * A scheduler in front of Jason's scheduler, which `.wait`, `.at` and others use. The order of several layers is given by their [Place],
+ * not by the order of their installation. [below] is the next lower layer.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
-    /** Does [work] after [delay]. */
     protected abstract fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V>
 
     final override fun schedule(command: Runnable, delay: Long, unit: TimeUnit): ScheduledFuture<*> =
@@ -34,7 +33,7 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         /** The layer that decides when a timer ends, directly above Jason's scheduler. */
         TIME,
 
-        /** The layer that sees each timer of an agent, whichever layer ends the timer. */
+        /** The layer that sees each timer of an agent. This layer is above the layers that end timers. */
         AGENT,
     }
 
@@ -48,8 +47,10 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         private var installed = listOf<Installed>()
 
         /**
-         * Puts a layer at its [place] above Jason's scheduler, for all agents of this program, unless a layer of [kind] is installed.
-         * [make] returns the layer above a given scheduler. A layer has no state, so [make] may be called again for another one.
+         * Puts a layer at its [place] above Jason's scheduler, for all agents of this program. If a layer of [kind] is installed, does
+         * nothing. [make] returns the layer above a given scheduler. A layer has no state, so [make] may be called again when another layer
+         * is installed.
+         *
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

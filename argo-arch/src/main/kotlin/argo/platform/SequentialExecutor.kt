@@ -9,7 +9,7 @@ internal class SequentialExecutor(private val platform: Platform, private val na
     private var working = false
 
     /**
-     * Does [work] after all earlier work. An exception of [work] goes to the thread's uncaught exception handler; later work is still done.
+     * Does [work] after all earlier work. An exception of [work] goes to the thread's uncaught exception handler. Later work is still done.
      */
     fun execute(work: () -> Unit) = lock.withLock {
         waiting.addLast(work)

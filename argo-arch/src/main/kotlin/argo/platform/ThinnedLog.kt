@@ -4,9 +4,9 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps repeated events from filling a log. The first [FREE] lines of a kind are written at once. After that, the newest line of the kind
- * is written at growing intervals, from a second to five minutes, and says how many lines were left out. So the last line of a kind always
- * appears. If a kind has no line for a minute, it counts as new. Safe for use by several threads.
+ * Prevents repeated events from filling a log. The first [FREE] lines of a kind are written at once. Further lines of the kind are thinned
+ * out: the newest is written at growing intervals, from a second to five minutes, with the number of left-out lines. The last line of a
+ * kind always appears. If a kind has no line for a minute, it counts as new. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param later calls `action` after `delayMs` ms
@@ -25,7 +25,8 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
 
     /**
      * Reports a line of [kind]. Use few kinds, since each is kept.
-     * @param line writes the line, followed by `more`. Called at most once, now or later: not at all if a newer line replaces this one
+     *
+     * @param line writes the line, followed by `more`. Called at most once, now or later. Not called if a newer line replaces this one
      */
     fun report(kind: String, line: (more: String) -> Unit) {
         var delayMs = 0L
@@ -38,7 +39,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
     }
 
-    /** Returns the ms after which the newest line must be written; 0: an earlier call has returned this time. */
+    /** Returns the ms after which the newest line must be written; 0 if an earlier call has returned this time. */
     private fun hold(kind: Kind, line: (String) -> Unit): Long {
         kind.newest = line
         if (kind.held++ > 0) return 0
@@ -65,7 +66,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 }
 
-/** Makes a foreign text fit for a log line: control characters become `\xHH`, and at most 200 characters stay. */
+/** Makes a foreign text fit for a log line. Control characters become `\xHH`, and at most 200 characters stay. */
 fun foreignText(text: String): String = buildString {
     for (c in text.take(MAX_FOREIGN)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
     if (text.length > MAX_FOREIGN) append("… (${text.length} characters)")

@@ -5,8 +5,10 @@ import argo.mind.Mind
 
 /**
  * The kept state of an agent, adapted to a program that may have changed since. If an initial belief was removed from the program, the
- * agent does not get it back. New initial beliefs and goals are added. If the program's only initial belief of a predicate, from the same
- * sources, now has other arguments, it replaces the agent's only belief of that predicate, even if the agent has changed that belief.
+ * agent does not get it back. New initial beliefs and goals are added.
+ *
+ * An initial belief with changed arguments replaces the agent's belief, even if the agent has changed its belief. The program and the agent
+ * must each have only one belief of this predicate from these sources.
  *
  * @param program the initial beliefs and goals of the program now
  */
@@ -23,7 +25,7 @@ internal class Merged(state: State, program: Mind) {
     /** The events with which the agent's intentions begin. */
     val events: List<String> = state.mind.events + begun
 
-    /** The effects of the program's change on the agent, for a person; empty: there are none. */
+    /** The effects of the program's change on the agent, for a person; empty if there are none. */
     val told: String = listOf("not believed any more" to gone, "believed in addition" to newBeliefs, "begun in addition" to begun)
         .filter { (_, facts) -> facts.isNotEmpty() }
         .joinToString("") { (what, facts) -> "; by the changed program $what: ${facts.joinToString(" ")}" }
@@ -37,7 +39,7 @@ private fun goneFrom(kept: List<String>, then: List<String>, now: List<String>):
     return kept.intersect(then.toSet()) + replaced - now.toSet()
 }
 
-/** Returns the beliefs in [beliefs] that are the only one with their predicate and sources; the keys are these two. */
+/** Returns the beliefs that share their predicate and sources with no other in [beliefs]. The keys are predicate and sources. */
 private fun onlyOnes(beliefs: List<String>): Map<Any, String> =
     beliefs.groupBy(::predicate).filterValues { it.size == 1 }.mapValues { (_, same) -> same.single() }
 

@@ -8,10 +8,10 @@ import java.time.ZoneId
 import java.time.format.DateTimeFormatter
 
 /**
- * The state of an agent, from which its next run goes on.
+ * The state of an agent. The agent's next run continues from this state.
  *
  * @property writtenMs the time of the state, in ms since 1970
- * @property setUp the calls of internal actions that set the agent's boards up as they are, without the prefix `argo.`
+ * @property setUp the calls of internal actions that set up the agent's boards, without the prefix `argo.`
  * @property program the initial beliefs and goals of the agent's program
  * @property mind the agent's beliefs and the events of its intentions
  */
@@ -43,7 +43,8 @@ internal data class State(
         private val TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss").withZone(ZoneId.systemDefault())
 
         /**
-         * Returns the state of [agent] that [text] holds, a text from [State.text].
+         * Returns the state of [agent] in [text], a text from [State.text].
+         *
          * @throws UnreadableStateException if [text] is cut off, or a line of it cannot be read
          */
         fun of(agent: String, text: String): State {
@@ -76,5 +77,5 @@ internal data class State(
     }
 }
 
-/** A text is no state of an agent; [message] says why. */
+/** Reports that a text is no state of an agent. [message] says why. */
 internal class UnreadableStateException(override val message: String) : Exception(message)

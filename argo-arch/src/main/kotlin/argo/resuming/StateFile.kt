@@ -15,13 +15,13 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 
 /**
- * The file that keeps the state of one agent. The file is replaced as a whole: even if the program or the computer fails, the file is
+ * The file that keeps the state of one agent. The file is replaced as a whole. Even if the program or the computer fails, the file is
  * either the old one or the new one. Functions wait for the disk, and throw [IOException].
  */
 internal class StateFile private constructor(private val path: Path, private val lock: FileChannel?) : AutoCloseable {
     private val next = path.resolveSibling("${path.fileName}.new")
 
-    /** Returns the file's text; null: there is no such file. */
+    /** Returns the file's text; null if the file does not exist. */
     fun read(): String? = if (Files.notExists(path)) null else Files.readString(path)
 
     /** Puts [text] in place of the file's text. */
@@ -35,7 +35,7 @@ internal class StateFile private constructor(private val path: Path, private val
         forceFolder()
     }
 
-    /** Makes the disk keep the renaming, if the system can: Windows cannot, since it opens no folders. */
+    /** Makes the disk keep the renaming. Windows opens no folders, so it cannot do this. */
     private fun forceFolder() {
         try {
             FileChannel.open(path.parent, READ).use { it.force(true) }
@@ -47,7 +47,7 @@ internal class StateFile private constructor(private val path: Path, private val
     /** Renames the file, so that nothing overwrites it. Returns its new name. */
     fun setAside(): Path = Files.move(path, path.resolveSibling("${path.fileName}.broken-${LocalDateTime.now().format(STAMP)}")).fileName
 
-    /** Gives the file back, so that another agent can have it. */
+    /** Releases the file, so that another agent can reserve it. */
     override fun close() = synchronized(TAKEN) {
         TAKEN.remove(path)
         lock?.close() ?: Unit
@@ -59,7 +59,7 @@ internal class StateFile private constructor(private val path: Path, private val
         private val TAKEN = HashSet<Path>()
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
-        /** Reserves the file at the absolute [path] for an agent; null: another agent, of this or another program, has reserved it. */
+        /** Reserves the file at the absolute [path] for an agent; null if another agent, of this or another program, has reserved it. */
         fun take(path: Path): StateFile? = synchronized(TAKEN) {
             if (path in TAKEN) return null
             val lock = openLock(path)
@@ -69,8 +69,8 @@ internal class StateFile private constructor(private val path: Path, private val
         }
 
         /**
-         * Opens a second file for the lock, since the state's own file is replaced. Returns null if the folder cannot be written; then each
-         * attempt to write a state reports that.
+         * Opens a second file for the lock, since the state's own file is replaced. If the folder cannot be written, returns null. Each
+         * attempt to write a state then reports the trouble.
          */
         private fun openLock(path: Path): FileChannel? = try {
             FileChannel.open(path.resolveSibling("${path.fileName}.lock"), WRITE, CREATE)
@@ -82,7 +82,7 @@ internal class StateFile private constructor(private val path: Path, private val
         private fun isLocked(channel: FileChannel): Boolean = try {
             channel.tryLock() != null
         } catch (_: OverlappingFileLockException) {
-            false // by another copy of this class
+            false // another copy of this class has locked it
         } catch (_: IOException) {
             true // the file system has no locks
         }

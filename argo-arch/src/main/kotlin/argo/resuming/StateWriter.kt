@@ -10,7 +10,7 @@ import java.util.logging.Logger
 
 /**
  * Writes the states of the agent called [name] to [file], on a separate thread. While a slow disk writes one state, only the newest of the
- * later states is kept for the next write. Any thread may call; no caller waits for the disk.
+ * later states is kept for the next write. Any thread may call the functions. No caller waits for the disk.
  *
  * @param end called if Java ends before the agent; makes the agent write its last state and call [end][StateWriter.end]
  */
@@ -35,7 +35,7 @@ internal class StateWriter(
         thread.execute(::writeNext)
     }
 
-    /** Gives the file back after the last state has been written. */
+    /** Releases the file after the last state has been written. */
     fun end() = thread.execute {
         file.close()
         farewell.close()

@@ -10,12 +10,12 @@ import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
-/** Tells the sensing of a port what the agent wants, and receives its reports. Called by the port's sensing thread. */
+/** Tells the sensing of a port what the agent wants, and receives the port's messages. Called by the port's sensing thread. */
 internal interface SensingListener {
-    /** Returns true if [port] is to be sensed now. Called by any thread; [Sensing.wake] signals a change. */
+    /** Returns true if the agent wants [port] to be sensed now. Called by any thread. [Sensing.wake] signals a change. */
     fun isSensed(port: OpenPort): Boolean
 
-    /** The sensing interval in ms; 0: as fast as the line allows. Read by any thread; [Sensing.wake] signals a change. */
+    /** The sensing interval in ms; 0 means as fast as the line allows. Read by any thread. [Sensing.wake] signals a change. */
     val intervalMs: Int
 
     /** Returns the time of the next request to a board that was asked at [startNanos], by the platform's clock. */
@@ -27,7 +27,7 @@ internal interface SensingListener {
     /** Returns true if the board on [port] may report critical percepts between two messages. Called by any thread. */
     fun mayReport(port: OpenPort): Boolean
 
-    /** Receives [message], for which the board was asked at [askedNanos], by the platform's clock. */
+    /** Receives [message]. The request for it went out at [askedNanos], by the platform's clock. */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long)
 
     /** Reports that the board did not answer in time. */
@@ -41,9 +41,9 @@ internal interface SensingListener {
 }
 
 /**
- * Asks one board for its percepts, or listens to it, while the agent wants to perceive the board. Does so on a separate thread. Between two
- * messages this thread watches the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing asks [listener]
- * each time what the agent wants and keeps no copy, so no change is missed.
+ * Asks one board for its percepts, or listens to it, while the agent wants to perceive the board. Uses a separate thread. Between two
+ * messages this thread watches the line, so a pulled cable is noticed even if the agent neither perceives nor acts. Sensing always asks
+ * [listener] what the agent wants and keeps no copy, so no change is missed.
  */
 internal class Sensing(
     private val port: OpenPort,
@@ -71,7 +71,7 @@ internal class Sensing(
         changed.signalAll()
     }
 
-    /** Ends the thread; the link must be closed as well. Idempotent. */
+    /** Ends the thread, but does not close the link. Further calls have no effect. */
     override fun close() = lock.withLock {
         closed = true
         changed.signalAll()
@@ -88,7 +88,7 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due and returns true; returns false if the thread must look at the line first. */
+    /** Waits until the next request is due and returns true. Returns false if the thread must look at the line first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
         if (wait >= SLICE_NANOS && mayReport()) return false // the thread reads the line while it waits
@@ -103,9 +103,9 @@ internal class Sensing(
         (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** Returns the time until the next request: endless if no request is wanted, 0 if ARGO only listens to the board. */
+    /** Returns the time until the next request. It is endless if no request is wanted, and 0 if ARGO only listens to the board. */
     private fun nanosUntilDue(): Long = when {
-        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // on a line that is not paced, the agent's own thread takes the messages
+        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // if a line is not paced, the agent's own thread takes the messages
         listens() -> 0
         else -> lastStart?.let { listener.nextStart(it) - clock.nanos() } ?: 0
     }
@@ -124,10 +124,12 @@ internal class Sensing(
         }
     }
 
-    /** Returns the ms for one look at the line. The look ends by the next request, and soon enough to notice what the agent wants next. */
+    /**
+     * Returns the ms for one look at the line. The look ends by the next request, and soon enough to notice a change of the agent's wishes.
+     */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
-    /** Receives one message from the board, on the caller's thread; returns false if the port is lost. */
+    /** Receives one message from the board, on the caller's thread. Returns false if the port is lost. */
     fun exchange(): Boolean = using {
         val timeoutMs = port.options.timeoutMs
         val message = if (listens()) port.link.listen(timeoutMs) else port.link.request(::requestNow, timeoutMs, listener.intervalMs)
@@ -137,7 +139,7 @@ internal class Sensing(
         if (message != null) {
             port.hasSpoken = true
             listener.received(port, message, askedNanos)
-            if (listens()) askedNanos = message.receivedNanos // the board makes the next message after this time
+            if (listens()) askedNanos = message.receivedNanos // the board makes the next message later
         }
     }
 
@@ -146,7 +148,7 @@ internal class Sensing(
         return listener.request(port)
     }
 
-    /** Does [work], which uses the line; returns false if the port is lost. */
+    /** Does [work], which uses the line. Returns false if the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
         work()
         true
@@ -179,7 +181,7 @@ internal class Sensing(
         return false
     }
 
-    /** Reports an unforeseen exception as a lost port: if the thread died silently, the agent would perceive a stale world. */
+    /** Reports an unforeseen exception as a lost port. If the thread died silently, the agent would perceive a stale world. */
     private fun unforeseen(cause: Throwable): Boolean {
         listener.lost(port, PortFaultException(port.link.port, "sensing ended: $cause", cause))
         return false

@@ -7,10 +7,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)`, one for each name of a board's port. The agent has them while no message has come from the port for too long.
- * They change only in [update], on the agent's thread; any thread may read them.
+ * The beliefs `stale(P)`, one for each name of a board's port. The agent has these beliefs while no message has come from the port for too
+ * long. Only [update] changes the beliefs, on the agent's thread. Any thread may read the beliefs.
+ *
  * @param nowMs a clock in ms that never goes back
- * @param listened returns the port if the agent perceives its messages now; else null
+ * @param listened returns the port if the agent perceives its messages now, else null
  * @param intervalMs returns the sensing interval
  */
 internal class StaleBeliefs(
@@ -24,15 +25,15 @@ internal class StaleBeliefs(
     @Volatile
     private var believed: Set<Term> = emptySet()
 
-    /** Begins to wait for the next message. Called when a message has come or the agent begins to perceive. */
+    /** Restarts the wait for the next message. Called when a message has come or the agent begins to perceive. */
     fun renew() {
         freshMs = nowMs()
     }
 
-    /** Returns the ms until the port is stale; 0: it is stale; null: the agent does not perceive it, or the board may be silent. */
+    /** Returns the ms until the port is stale; 0 if it is stale, null if the agent does not perceive it or the board may be silent. */
     fun dueInMs(): Long? = listened()?.let { limitMs(it.options, intervalMs()) }?.let { maxOf(0, freshMs + it - nowMs()) }
 
-    /** Recomputes the beliefs; returns true if they have changed. */
+    /** Recomputes the beliefs. Returns true if they have changed. */
     fun update(): Boolean {
         val now = silent()
         return (now != believed).also { believed = now }
@@ -53,8 +54,9 @@ internal class StaleBeliefs(
         const val FUNCTOR = "stale"
 
         /**
-         * Returns the ms without a message after which `stale(Port)` is believed; null: never. By default a board may miss one answer, but
-         * not two in a row, and a board that sends without requests is never stale.
+         * Returns the ms without a message after which `stale(Port)` is believed; null for never. By default a board may miss one answer,
+         * but not two in a row. A board that sends without requests is never stale by default.
+         *
          * @param intervalMs the sensing interval in ms
          */
         fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {

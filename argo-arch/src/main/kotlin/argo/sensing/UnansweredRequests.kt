@@ -2,17 +2,17 @@ package argo.sensing
 
 import java.util.concurrent.TimeUnit
 
-/** Counts the requests in a row that a board has not answered, and keeps the time of the first. Its user guards it by a lock. */
+/** Counts the requests in a row that a board has not answered, and keeps the time of the first. Not safe for use by several threads. */
 internal class UnansweredRequests {
     private var sinceNanos = 0L
     private var count = 0
 
-    /** Counts one more unanswered request, whose time limit was over at [nowNanos]. */
+    /** Counts one more unanswered request. Its time limit was over at [nowNanos]. */
     fun add(nowNanos: Long) {
         if (count++ == 0) sinceNanos = nowNanos
     }
 
-    /** Forgets the count: the board has answered, or is not asked for a while. */
+    /** Forgets the count. Called when the board has answered, or is not asked for a while. */
     fun clear() {
         count = 0
     }

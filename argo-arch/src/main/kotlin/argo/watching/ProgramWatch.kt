@@ -7,8 +7,8 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Reloads [agent] whenever a file of its program, or of a filter that it perceives through, is saved. [log] gets the result. If a file has
- * a mistake, [log] gets the mistake, and the agent goes on unchanged.
+ * Reloads [agent] whenever a file of its program, or of an active filter, is saved. [log] gets the result. If a file has a mistake, [log]
+ * gets the mistake, and the agent continues unchanged.
  */
 internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
     private val closing = CountDownLatch(1)
@@ -16,7 +16,7 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     private val watcher = Thread(::watch, "argo-${agent.name}-watching").apply { isDaemon = true }
 
     init {
-        val files = agent.sources() // with the stamps of the files that Jason has just read
+        val files = agent.sources() // also notes the stamps of the files that Jason has just read
         saved.look(files)
         if (files.isEmpty()) log.warning("no file of the agent is on this computer's disk, so none is watched") else watcher.start()
     }

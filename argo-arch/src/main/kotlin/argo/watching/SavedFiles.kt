@@ -7,18 +7,18 @@ import java.nio.file.attribute.BasicFileAttributes
 import java.nio.file.attribute.FileTime
 
 /**
- * Notices by repeated looks that files have been saved. A file counts as saved when it has changed and is then the same at two looks in a
- * row, since many editors write a file in several steps. Not safe for use by several threads.
+ * Notices saved files by repeated looks. A file counts as saved if it has changed and two later looks in a row find it unchanged. Many
+ * editors write a file in several steps. Not safe for use by several threads.
  *
- * @param stampOf returns the state of a file; null: it cannot be read
+ * @param stampOf returns the state of a file; null if it cannot be read
  */
 internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp::of) {
     private var taken: Map<Path, FileStamp?> = emptyMap()
     private var seen: Map<Path, FileStamp?> = emptyMap()
 
     /**
-     * Looks at [files], and returns those that were saved since they were last returned. A file that the last look did not include counts
-     * as unchanged.
+     * Looks at [files], and returns those that were saved since they were last returned. If the last look did not include a file, the file
+     * counts as unchanged.
      */
     fun look(files: Collection<Path>): List<Path> {
         val now = files.associateWith(stampOf)
@@ -29,7 +29,6 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
     }
 
     companion object {
-        /** The time between two looks, in ms. */
         const val LOOK_EACH_MS = 250L
     }
 }
@@ -37,7 +36,7 @@ internal class SavedFiles(private val stampOf: (Path) -> FileStamp? = FileStamp:
 /**
  * The state of a file, which differs after each change.
  *
- * @property key identifies the file itself, since an editor may replace it by a new file of the same name; null: there is no key
+ * @property key identifies the file itself, since an editor may replace it by a new file; null if there is no key
  */
 internal data class FileStamp(val time: FileTime, val bytes: Long, val key: Any?) {
     companion object {

@@ -37,10 +37,9 @@ private class RulesBench {
         this.rules.renew()
     }
 
-    /** How many commands wait. */
     val count get() = waiting.size
 
-    /** The board, which has the rules [onBoard] by their numbers, carries out the oldest command that waits, if one does. */
+    /** Lets the board carry out the oldest waiting command, if there is one. [onBoard] are the board's rules by number. */
     fun handle(onBoard: MutableMap<Int, String>) {
         if (waiting.isEmpty()) return
         val command = changes[changes.size - waiting.size]
@@ -50,7 +49,7 @@ private class RulesBench {
         ends()
     }
 
-    /** The outcome of the oldest command that waits. */
+    /** Ends the oldest waiting command with [error], or without one. */
     fun ends(error: String? = null) = waiting.removeFirst()(error?.let { Failure(it, it) })
 
     fun endsAll() = repeat(waiting.size) { ends() }
@@ -88,7 +87,7 @@ class BoardRulesSpec : FunSpec({
         bench.wants(a, b)
         bench.rules.began(8)
         listOf(a, b).map(bench.rules::isWatching) shouldBe listOf(false, false)
-        bench.rules.ruleOf(1) shouldBe a // a report may be faster than the acknowledgement
+        bench.rules.ruleOf(1) shouldBe a // a report may overtake the acknowledgement
         bench.ends()
         listOf(a, b).map(bench.rules::isWatching) shouldBe listOf(true, false)
     }
@@ -130,7 +129,7 @@ class BoardRulesSpec : FunSpec({
         listOf(a, b, c).map(bench.rules::isWatching) shouldBe listOf(false, true, true)
         bench.rules.renew()
         bench.news().shouldBeEmpty()
-        bench.wants(a, b) // there may be room for it now
+        bench.wants(a, b) // the board may now have room for it
         bench.news() shouldBe listOf("-3", "4=a")
     }
 

@@ -3,7 +3,7 @@ package argo.acting
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** The ports of a board with sensors, which holds the commands, and of one with wheels. */
+/** The port of a board with sensors, which has the ledger, and the port of a board with wheels. */
 private enum class Ports { SENSORS, WHEELS }
 
 class CommandLedgerSpec : FunSpec({

@@ -19,7 +19,7 @@ import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Draws terms as plans hold them, up to [depth] levels deep. */
+/** Generates terms as in plans, up to [depth] levels deep. */
 private fun terms(depth: Int): Arb<Term> = Arb.int(0..(if (depth == 0) 5 else 8)).let { kinds ->
     Arb.bind(kinds, Arb.int(), Arb.numericDouble(-1e6, 1e6), Arb.of("a", "front", "a b(", "")) { kind, whole, number, word ->
         when (kind) {

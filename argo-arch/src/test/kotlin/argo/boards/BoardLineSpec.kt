@@ -31,11 +31,11 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** The link to a board that holds rules and says nothing but by its [listener]. */
+/** The link to a board that holds rules and only reports to its [listener]. */
 internal class RuleLink(override val port: String) : BoardLink {
     lateinit var listener: BoardListener
     override val isOpen get() = true
-    override val isPaced get() = false // nobody senses it
+    override val isPaced get() = false // so nobody senses it
     override fun listen(timeoutMs: Int): BoardMessage? = null
     override fun check() = Unit
     override fun send(text: String, options: SendOptions) = SentCommand(CompletableFuture.completedFuture(null))

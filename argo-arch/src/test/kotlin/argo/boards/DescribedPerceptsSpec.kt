@@ -15,7 +15,7 @@ import javino.PortGoneException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
 
-/** The link to a board that describes its percepts as [answer] does, which takes the time limit in ms. */
+/** The link to a board that describes its percepts. [answer] gets the time limit in ms. */
 private class DescribingLink(val answer: DescribingLink.(Int) -> List<PerceptKind>) : BoardLink by RuleLink("robot") {
     override var isOpen = true
     override val isPaced get() = true

@@ -7,7 +7,6 @@ import java.util.concurrent.TimeUnit
 class ExpectedAnswerSpec : FunSpec({
     fun ms(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
 
-    /** Makes one that was asked at 20 ms, and answered 3 ms later. */
     fun answered() = ExpectedAnswer().apply {
         asked(ms(20))
         came(ms(23))
@@ -21,7 +20,7 @@ class ExpectedAnswerSpec : FunSpec({
     test("after an answer the next is expected as long after the next instant as answers take, before the board was asked") {
         val answer = answered()
         answer.isNear(ms(24)) shouldBe false
-        answer.isNear(ms(40)) shouldBe false // 3 ms to go
+        answer.isNear(ms(40)) shouldBe false // 3 ms early
         answer.isNear(ms(41)) shouldBe true
         answer.isNear(ms(48)) shouldBe true // 5 ms late
         answer.isNear(ms(49)) shouldBe false

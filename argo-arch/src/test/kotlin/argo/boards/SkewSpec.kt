@@ -9,22 +9,22 @@ import io.kotest.core.spec.style.FunSpec
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** A board that is asked at the instants of its interval, or as soon as it has answered, and answers within its longest delay. */
+/** A board that is asked at the instants of its interval, or as soon as it has answered. The board answers within its longest delay. */
 private class AskedBoard(private val random: Random, begins: Long) {
     private val intervalNanos = ms(listOf(0, 5, 20, 50, 100, 250).random(random))
     private val longestNanos = ms(random.nextInt(1, 200))
     private val handOver = FreshHandOver(EarlierWork(CommandLedger { null }, nowMs = { 0 }))
     private var askedNanos = begins + random.nextLong(longestNanos)
 
-    /** The time at which its next answer arrives. */
+    /** The time at which the board's next answer arrives. */
     var arrivesNanos = askedNanos + random.nextLong(longestNanos)
         private set
 
-    /** The time at which the believed percepts arrived; null: none is believed yet. */
+    /** The time at which the believed percepts arrived; null if none is believed yet. */
     var believedNanos: Long? = null
         private set
 
-    /** The greatest age of its percepts when they are handed over. */
+    /** The greatest possible age of the board's percepts at their hand-over. */
     val boundNanos = intervalNanos + longestNanos
 
     fun answers() {

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit
 class LostPortSpec : FunSpec({
     val term = ASSyntax.createAtom("robot")
 
-    /** Makes a port that was open for [livedMs], [losses] times in a row before, lost at time 0. */
+    /** Makes a port that was open for [livedMs] and was lost at time 0, after [losses] earlier losses in a row. */
     fun lost(livedMs: Long, losses: Int = 0, spoke: Boolean = false): LostPort = FakeBoard.plugIn("lost").use { board ->
         JavinoLink(Link.open(board.port(), LinkSettings.defaults(), "bob")).use { link ->
             val port = OpenPort(

@@ -6,7 +6,7 @@ import java.util.Optional
 import java.util.OptionalInt
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** USB devices that the tests plug in: `plugged:fff1:0002`. */
+/** USB devices that the tests plug in, at ports such as `plugged:fff1:0002`. */
 class PluggedIn : UsbTransportProvider("plugged", { devices }) {
     companion object {
         val devices = CopyOnWriteArrayList<SerialPortInfo>()

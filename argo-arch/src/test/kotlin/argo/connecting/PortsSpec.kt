@@ -40,20 +40,19 @@ import kotlin.time.Duration.Companion.milliseconds
 
 private val QUICKLY = eventuallyConfig {
     duration = LIMIT
-    interval = 2.milliseconds // one step of the ports' time for each
+    interval = 2.milliseconds // each look advances the ports' time by one step
 }
 
-/** The ports of an agent. */
 private class PortsBench(private val owner: String = "bob") : AutoCloseable {
     val told = ConcurrentLinkedQueue<String>()
     val time = TestTime()
     val closers = ConcurrentLinkedQueue<String>()
 
-    /** Called before a line is closed, by the thread that does. */
+    /** Called before a line is closed, by the thread that closes it. */
     @Volatile
     var beforeClosing: () -> Unit = {}
 
-    /** How many threads more the machine has none for. */
+    /** How many further starts of threads fail. */
     @Volatile
     var missingThreads = 0
     private val platform = object : Platform by time {
@@ -104,7 +103,6 @@ private class PortsBench(private val owner: String = "bob") : AutoCloseable {
         return outcome.get(20, TimeUnit.SECONDS)
     }
 
-    /** Waits until [belief] is held. */
     suspend fun awaitBelief(belief: String) = eventually(QUICKLY) { (belief in beliefs()) shouldBe true }
 
     /** Lets time pass until [belief] is held. */
@@ -162,7 +160,7 @@ class PortsSpec : FunSpec({
             passUntil("port(\"sim:left\",on)")
             ports.current shouldBeSameInstanceAs current
             Link.ownerOf("sim:left").get() shouldBe "bob"
-            left.unplug() // and it is watched as before
+            left.unplug() // and the port is still watched
             awaitBelief("port(\"sim:left\",off)")
         }
     }
@@ -203,7 +201,7 @@ class PortsSpec : FunSpec({
             beliefs().shouldBeEmpty()
             board.replug()
             while (!time.isIdle()) time.step()
-            closeAll() // after what was due
+            closeAll() // after everything that was due
             time.isIdle() shouldBe true
             beliefs().shouldBeEmpty()
             Link.ownerOf("sim:robot").isPresent shouldBe false
@@ -259,11 +257,11 @@ class PortsSpec : FunSpec({
             awaitBelief("port(\"fussy:left\",off)")
             awaitBelief("port(\"sim:right\",off)")
             val isOpened = CountDownLatch(1)
-            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); CountDownLatch(1).await() } } // until it is interrupted
+            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); CountDownLatch(1).await() } } // is interrupted
             boards[0].replug()
             eventually(LIMIT) {
                 time.stepIfDue()
-                isOpened.count shouldBe 0 // somebody is opening fussy:left
+                isOpened.count shouldBe 0 // a thread is opening fussy:left
             }
             boards[1].replug()
             passUntil("port(\"sim:right\",on)")
@@ -356,7 +354,7 @@ class PortsSpec : FunSpec({
             beforeClosing = {
                 isClosing.countDown()
                 mayClose.countDown()
-                mayClose.await() // until another thread closes it as well
+                mayClose.await() // until another thread also closes it
             }
             ports.lost(checkNotNull(ports.current), PortGoneException("sim:robot", "a command found it gone"))
             isClosing.await()

@@ -6,7 +6,7 @@ import javino.Transports
 import javino.sim.FakeBoard
 import java.util.concurrent.TimeUnit
 
-/** A board as a process of its own, at the far end of a pseudo-terminal: it counts the requests for its percepts. */
+/** A board in its own process, at the far end of a pseudo-terminal. The board counts the requests for its percepts. */
 internal class BoardProcess(device: String) : AutoCloseable {
     private val process = ProcessBuilder(
         ProcessHandle.current().info().command().orElse("java"),
@@ -17,10 +17,9 @@ internal class BoardProcess(device: String) : AutoCloseable {
         check(process.inputReader().readLine() == STARTED) { "the board's process did not start" }
     }
 
-    /** Stops the process as it is, by a signal. */
+    /** Pauses the process by a signal. */
     fun stop() = signal("STOP")
 
-    /** Lets it go on. */
     fun goOn() = signal("CONT")
 
     private fun signal(name: String) = ProcessBuilder("kill", "-$name", "${process.pid()}").start().waitFor().let {
@@ -34,7 +33,7 @@ internal class BoardProcess(device: String) : AutoCloseable {
 
 private const val STARTED = "the board runs"
 
-/** The board's program; its argument is the device of its serial line. */
+/** The board's program. The argument is the device of the serial line. */
 fun main(arguments: Array<String>) {
     val board = FakeBoard.plugIn("process").lenient()
     var count = 0
@@ -44,7 +43,7 @@ fun main(arguments: Array<String>) {
         try {
             board.program().run(it)
         } catch (_: PortException) {
-            // the line has gone, and with it the purpose of the process
+            // the line has gone, so the process ends
         }
     }
 }

@@ -10,7 +10,7 @@ import javino.Transport
 import javino.sim.FakeBoard
 import java.util.concurrent.atomic.AtomicReference
 
-/** A line that throws [fault] once, when it is read, if [reading], or when it is written. */
+/** A line that throws [fault] once. If [reading] is true, the fault comes at a read, else at a write. */
 private class FaultyLine(private val line: Transport, private val reading: Boolean, private val fault: AtomicReference<Throwable?>) :
     Transport by line {
     override fun isWritableNow(unread: Long) = line.isWritableNow(unread)
@@ -26,7 +26,6 @@ private class FaultyLine(private val line: Transport, private val reading: Boole
     }
 }
 
-/** An agent goes on, whatever its line throws. */
 class FaultyLineSpec : FunSpec({
     afterTest { FussyProvider.opening = FussyProvider::openSimulated }
 

@@ -28,7 +28,10 @@ import kotlin.concurrent.thread
 
 private const val LIMIT_BYTES = 1024L
 
-/** Frames that teach 126 percepts of 255 bytes, and then repeat each 32,000 times in two bytes: a gigabyte of text. */
+/**
+ * Frames of a compressed answer that stands for a gigabyte of text. The first frame teaches 126 percepts of 255 bytes. The second repeats
+ * all of them 32,000 times, with two bytes each time.
+ */
 private val BOMBS = listOf(
     (0 until 126).joinToString("") { "${it.toChar()}\u00ff" + "a".repeat(255) },
     "\u0080\u007e".repeat(32_000),
@@ -61,7 +64,7 @@ private class BombingBoard : SimulatedBoard, BoardProgram {
     private fun Transport.say(frame: WireFrame, nonce: Int) = frame.toBytes(nonce).let { write(it, 0, it.size, 60_000) }
 }
 
-/** A line that notes the threads that write to it, with their bytes, and those that would wait. */
+/** A line that notes which threads write to it, how many bytes, and which threads would wait. */
 private class NotedLine(private val line: Transport, private val bytes: MutableMap<String, Long>, private val waiting: MutableSet<String>) :
     Transport by line {
     override fun isWritableNow(unread: Long) = line.isWritableNow(unread)
@@ -73,7 +76,6 @@ private class NotedLine(private val line: Transport, private val bytes: MutableM
     }
 }
 
-/** An agent goes on, whatever its board sends, and whatever its board does not read. */
 class HostileBoardsSpec : FunSpec({
     afterTest { FussyProvider.opening = FussyProvider::openSimulated }
 

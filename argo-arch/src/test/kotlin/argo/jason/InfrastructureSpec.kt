@@ -11,7 +11,6 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** An infrastructure that a project asks for in vain. */
 class InfrastructureSpec : FunSpec({
     fun told(work: (Logger) -> Unit): List<String> {
         val lines = ArrayList<String>()
@@ -32,7 +31,7 @@ class InfrastructureSpec : FunSpec({
         return lines
     }
 
-    /** Has Jason's launcher for one computer, or [runner], run a project with [infrastructure]. */
+    /** Makes Jason's launcher for one computer, or [runner], run a project that declares [infrastructure]. */
     fun run(infrastructure: String, runner: RunLocalMAS = RunLocalMAS()) {
         runner.project = MAS2JProject().apply { this.infrastructure = ClassParameters(infrastructure) }
     }

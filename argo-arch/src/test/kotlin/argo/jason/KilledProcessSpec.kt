@@ -21,16 +21,16 @@ import kotlin.io.path.writeText
 import kotlin.random.Random
 
 /**
- * An agent in a process of its own, with a board on a pseudo-terminal, that is killed (`kill -9`) at random times and started again: it
- * goes on each time, with what it believed a few seconds before at most if it lived that long, and its board carries no command out twice.
- * The property `argo.process.kills` is the number of kills.
+ * Kills (`kill -9`) the process of an agent at random times and starts it again. The agent's board is on a pseudo-terminal. The agent must
+ * continue from its state of a few seconds ago, if it lived that long. The board must carry out no command twice. The property
+ * `argo.process.kills` is the number of kills.
  */
 @Tags("Thorough")
 class KilledProcessSpec : FunSpec({
     val folder = tempdir().toPath()
     val kills = Integer.getInteger("argo.process.kills", 8)
     val resumed = Regex("""resumed (\d+)""")
-    val mostNs = TimeUnit.SECONDS.toNanos(20) // five seconds, on a machine that may be slow; KilledAgentsSpec is exact
+    val mostNs = TimeUnit.SECONDS.toNanos(20) // more than five seconds, since the machine may be slow; KilledAgentsSpec is exact
     val longMs = 5_500L // longer than the time between two states
 
     fun believedNs(log: String) = resumed.find(log).shouldNotBeNull().groupValues[1].toLong()
@@ -82,7 +82,7 @@ class KilledProcessSpec : FunSpec({
                         }
                         Thread.sleep(if (life % 2 == 0) longMs else chance.nextLong(longMs)) // the life of the process
                     } finally {
-                        killedNs = System.nanoTime() // the clock of all processes of a computer
+                        killedNs = System.nanoTime() // all processes of a computer have this clock
                         if (life < kills) process.destroyForcibly() else process.destroy()
                         process.waitFor(20, TimeUnit.SECONDS) shouldBe true
                     }

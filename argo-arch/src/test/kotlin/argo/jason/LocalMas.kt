@@ -33,8 +33,8 @@ import kotlin.time.Duration.Companion.seconds
 internal val LIMIT = 60.seconds
 
 /**
- * Returns when [count] returns [goal] or more. Fails with [clue] if [count] does not grow within [LIMIT]: a crowded machine takes long for
- * many things, but does one more in this time.
+ * Returns when [count] returns [goal] or more. Fails with [clue] if [count] does not grow within [LIMIT]. A busy machine may need long to
+ * reach the goal, but [count] still grows within this time.
  */
 internal suspend fun awaitGrowth(goal: Int, clue: () -> String, count: () -> Int) {
     var reached = count()
@@ -47,7 +47,7 @@ internal suspend fun awaitGrowth(goal: Int, clue: () -> String, count: () -> Int
     }
 }
 
-/** Jason's Local infrastructure in this process, in real time, for agents given as text. One at a time. */
+/** Jason's Local infrastructure in this process, in real time, for agents given as text. Only one may exist at a time. */
 internal class LocalMas : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-mas")
     private val mas = RunLocalMAS()
@@ -70,34 +70,31 @@ internal class LocalMas : AutoCloseable {
         mas.start()
     }
 
-    /** The log so far, one record a line. */
     val log: String get() = records.joinToString("\n") { "${it.level} ${it.loggerName}: ${it.message}" }
 
     /** Writes a file with [text] that programs can include, and returns its path. */
     fun file(name: String, text: String): Path = directory.resolve(name).apply { writeText(text) }
 
-    /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`, [behind] is a second architecture. */
+    /** Starts an agent with [program]. [options] are its options in the `.mas2j`, [behind] is a second architecture. */
     fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
         agentOf(name, "${directory.resolve("$name.asl").apply { writeText(program) }}", options, behind)
     }
 
-    /** Starts an agent with the program at [source], a path or a URL, like [agent]. */
+    /** Starts an agent with the program at [source], a path or a URL. */
     fun agentOf(name: String, source: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
         val settings = Settings().apply { setOptions(HashMap<String, Any>(options)) }
         val services = RuntimeServicesFactory.get()
         services.startAgent(services.createAgent(name, source, null, listOfNotNull("argo.Arch", behind), null, settings, null))
     }
 
-    /** Returns agent [name] as its observers see it. */
     fun observed(name: String): ObservedAgent = (mas.getAg(name).firstAgArch as Arch).observed
 
-    /** Gives agent [name] the goal. */
     fun achieve(name: String, goal: String) {
         mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
         mas.getAg(name).wake()
     }
 
-    /** Serializes agent [name] between two of its cycles, and runs the copy that is read from there under the name [copy]. */
+    /** Serializes agent [name] between two of its cycles. Reads the bytes back, and runs the read agent under the name [copy]. */
     fun serialize(name: String, copy: String) {
         val written = CompletableFuture<Result<ByteArray>>()
         val ts = mas.getAg(name).ts
@@ -116,7 +113,6 @@ internal class LocalMas : AutoCloseable {
         last.thread = Thread(last).apply { start() }
     }
 
-    /** Stops agent [name] as `.kill_agent` does. */
     fun kill(name: String) {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
@@ -132,7 +128,7 @@ internal class LocalMas : AutoCloseable {
     }
 
     override fun close() {
-        mas.finish(0, false, 0) // on a thread of its own
+        mas.finish(0, false, 0) // on a separate thread
         runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
         Logger.getLogger("").removeHandler(handler)
         Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }

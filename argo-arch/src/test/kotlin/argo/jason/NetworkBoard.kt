@@ -9,21 +9,20 @@ import java.net.Socket
 import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.concurrent.thread
 
-/** A board on the network, of version 1: it counts the requests for percepts that it answers. */
+/** A board on the network, of version 1. The board counts the requests for percepts that it answers. */
 internal class NetworkBoard(number: Int = 0) : AutoCloseable {
     private val server = ServerSocket(number, 1, InetAddress.getLoopbackAddress())
     private val connections = ConcurrentLinkedQueue<Socket>()
 
-    /** The number of requests for percepts that it has answered. */
     @Volatile
     var answers = 0
         private set
 
-    /** True if it does not answer, though it reads. */
+    /** True if the board reads but does not answer. */
     @Volatile
     var isMute = false
 
-    /** All messages but requests for percepts. */
+    /** All messages except requests for percepts. */
     val received = ConcurrentLinkedQueue<String>()
     val number: Int get() = server.localPort
     val port get() = "tcp://127.0.0.1:$number"
@@ -53,11 +52,10 @@ internal class NetworkBoard(number: Int = 0) : AutoCloseable {
                 decoder.accept(bytes, 0, read, System.nanoTime())
             }
         } catch (_: IOException) {
-            // this connection broke; the next one may come
+            // this connection is broken; the next one may come
         }
     }
 
-    /** Ends all connections. */
     fun cut() = connections.forEach(Socket::close)
 
     override fun close() {

@@ -30,7 +30,6 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 import io.kotest.matchers.string.shouldContain as shouldContainText
 
-/** Agents that are paused on their own threads, with boards in real time. */
 class PausingSpec : FunSpec({
     val reading = AtomicInteger()
 
@@ -303,7 +302,7 @@ class PausingSpec : FunSpec({
         val world = PauseWorld({ 0 }, { null }, { }, { }, isStandingStill = false)
         AgentPausing(refusal, ts, world, Logger.getLogger("argo.test")) { it() }.run {
             pause()
-            cycleStarting() // returns
+            cycleStarting() // returns, so the agent is not paused
             state.phase shouldBe PausePhase.RUNNING
             breakAt(this, "bob.asl", listOf(1)).single().refusal shouldBe refusal
         }

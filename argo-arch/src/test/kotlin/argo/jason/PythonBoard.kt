@@ -8,7 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** Enabled if there is Python, and a system on which it makes pseudo-terminals. */
+/** Enabled if there is Python, and its module for pseudo-terminals works. */
 internal val withPython: Enabled = run {
     val works = try {
         ProcessBuilder("python3", "-c", "import pty").start().waitFor() == 0
@@ -19,8 +19,8 @@ internal val withPython: Enabled = run {
 }
 
 /**
- * The board of `javino-python/tests/boards/echo.py` as a process, at a pseudo-terminal to which [link] leads, until it is closed. With a
- * [seed] one byte in 200 is damaged in both directions.
+ * The board of `javino-python/tests/boards/echo.py` in its own process, at a pseudo-terminal. [link] leads to the terminal. With a [seed],
+ * one byte in 200 is damaged in both directions.
  */
 internal class PythonBoard(link: Path, seed: Int? = null) : AutoCloseable {
     private val folder = Path.of("../javino-python").toRealPath()
@@ -29,7 +29,7 @@ internal class PythonBoard(link: Path, seed: Int? = null) : AutoCloseable {
         listOf("python3", "$folder/tests/boards/echo.py", "$folder", "pty:$link") + listOfNotNull(seed?.toString()),
     ).start()
 
-    /** The actions that it has carried out, in their order; `lost` is the computer's silence. */
+    /** The actions that the board has carried out, in their order. `lost` means that the computer was silent. */
     val carriedOut = CopyOnWriteArrayList<String>()
 
     init {

@@ -6,7 +6,6 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 
-/** A real agent and a board in Python, on a pseudo-terminal. */
 class PythonBoardSpec : FunSpec({
     val link by lazy { tempdir().toPath().resolve("board") }
 

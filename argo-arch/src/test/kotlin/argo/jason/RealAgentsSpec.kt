@@ -15,9 +15,7 @@ import javino.sim.FakeBoard
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.locks.LockSupport
 
-/**
- * Behaviour that only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit.
- */
+/** Behaviour that only Jason's own infrastructure and real threads show. argo-testkit specifies all other behaviour in virtual time. */
 class RealAgentsSpec : FunSpec({
     test("200 agents started and killed in one system leave no thread and no open port").config(tags = thorough) {
         val boards = (1..200).map { FakeBoard.plugIn("robot$it").lenient() }
@@ -148,7 +146,7 @@ class RealAgentsSpec : FunSpec({
     }
 })
 
-/** An architecture that counts its stops, which matter to some, such as CArtAgO's. Jason makes it, so all of them are kept. */
+/** An architecture that counts its stops, since some, such as CArtAgO's, fail at a second stop. Jason makes it, so all objects are kept. */
 class CountedStops : AgArch() {
     var stops = 0
         private set

@@ -10,13 +10,12 @@ import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 
 private val COUNT = Regex("""b(\d+)::count\((\d+)\)""")
 
-/** Several boards of one agent, on Jason's own infrastructure and real threads. */
 @Tags("Thorough")
 class RealBoardsSpec : FunSpec({
     fun counts(beliefs: Set<String>) = beliefs.mapNotNull { COUNT.matchEntire(it)?.destructured }
         .associate { (board, count) -> board.toInt() to count.toInt() }
 
-    /** Names for each board the answer that was perceived last, of the number of its answers: the difference is the age of the belief. */
+    /** Tells for each board which of its answers was perceived last, and how many it has sent. */
     fun described(boards: List<NetworkBoard>, perceived: Map<Int, Int>) = "${perceived.size} of ${boards.size} boards perceived: " +
         boards.withIndex().joinToString { (i, board) -> "b$i ${perceived[i] ?: "no answer"} of ${board.answers}" }
 
@@ -33,7 +32,7 @@ class RealBoardsSpec : FunSpec({
                     +b126::count(X) : X > 5 <- argo.act(b0::last(X)).
                 """)
                 mas.awaitBelief("bob", "all")
-                val perceived = HashMap<Int, Int>() // by board, the last of its answers that was seen among the beliefs
+                val perceived = HashMap<Int, Int>() // by board, its last answer that was seen among the beliefs
                 awaitGrowth(boards.size, { "${described(boards, perceived)}\n${mas.log}" }) {
                     perceived += counts(mas.beliefs("bob"))
                     perceived.size

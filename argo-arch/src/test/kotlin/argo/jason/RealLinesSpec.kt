@@ -22,9 +22,8 @@ private val COUNT = Regex("""count\((\d+)\)""")
 private val withSignals: Enabled =
     if (System.getProperty("os.name").startsWith("Windows")) Enabled.disabled("needs the signals of a POSIX system") else withTerminals
 
-/** Agents on lines of the operating system: pseudo-terminals, TCP, and a board that never pauses. */
 class RealLinesSpec : FunSpec({
-    /** Writes an agent that sends its board the last percept, so that the test knows that it is perceived. */
+    /** Returns an agent that sends its last percept back to its board, so that the test can see what the agent perceives. */
     fun follower(port: String) = """
         !start.
         +!start <- argo.port("$port", [baud(115200)]); argo.limit(5); argo.percepts(open).
@@ -76,7 +75,7 @@ class RealLinesSpec : FunSpec({
                     name.pointTo(second.device)
                     board.shows("still_first")
                     first.close()
-                    eventually(LIMIT) { mas.log shouldContain "port \"$name\" is off" } // the belief may be gone before it is seen here
+                    eventually(LIMIT) { mas.log shouldContain "port \"$name\" is off" } // the belief may be too short to be seen
                     mas.awaitBelief("bob", "port(\"$name\",on)")
                     board.shows("second")
                 }
@@ -175,7 +174,7 @@ class RealLinesSpec : FunSpec({
                 """)
                 eventually(LIMIT) { board.received.size shouldBeGreaterThan 0 }
                 board.cut()
-                eventually(LIMIT) { mas.log shouldContain "port \"${board.port}\" is off" } // the belief may be gone before it is seen here
+                eventually(LIMIT) { mas.log shouldContain "port \"${board.port}\" is off" } // the belief may be too short to be seen
                 val before = board.received.size
                 mas.awaitBelief("bob", "port(\"${board.port}\",on)")
                 eventually(LIMIT) { board.received.size shouldBeGreaterThan before + 5 }

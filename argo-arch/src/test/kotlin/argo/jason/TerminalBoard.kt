@@ -16,7 +16,7 @@ internal val withTerminals: Enabled =
     if (PseudoTerminals.available()) Enabled.enabled
     else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
 
-/** A fake board at the far end of a pseudo-terminal. Closing it is for the computer like a pulled cable. */
+/** A fake board at the far end of a pseudo-terminal. For the computer, closing it looks like a pulled cable. */
 internal class TerminalBoard(board: FakeBoard) : AutoCloseable {
     private val terminals = PseudoTerminals.open()
     private val end = Transports.open(terminals.board().path, LineSettings(115_200))
@@ -28,7 +28,7 @@ internal class TerminalBoard(board: FakeBoard) : AutoCloseable {
         }
     }
 
-    /** The device itself, not a name for it. */
+    /** The device itself, not a link to it. */
     val device: Path = terminals.computer().toPath().toRealPath()
 
     override fun close() {
@@ -38,7 +38,7 @@ internal class TerminalBoard(board: FakeBoard) : AutoCloseable {
     }
 }
 
-/** Makes this the name of [device], or of nothing. */
+/** Makes this path a link to [device]. If [device] is null, only deletes the link. */
 internal fun Path.pointTo(device: Path?) {
     Files.deleteIfExists(this)
     if (device != null) Files.createSymbolicLink(this, device)

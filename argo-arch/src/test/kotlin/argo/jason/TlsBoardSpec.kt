@@ -18,7 +18,7 @@ private val withSocat: Enabled = run {
     if (works) withPython else Enabled.disabled("needs socat with OpenSSL, and openssl")
 }
 
-/** A real agent and a board behind `socat`'s end of TLS, as on the page on ports. */
+/** Connects a real agent to a board behind `socat`, which ends the TLS connection, as the page on ports describes. */
 class TlsBoardSpec : FunSpec({
     val folder by lazy { tempdir().toPath() }
 

@@ -18,7 +18,7 @@ import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
 import java.util.logging.Logger
 
-/** An agent that perceives the board on [port] in the test's own time. */
+/** An agent that perceives the board on [port]. The test sets the time. */
 private class Perceiving(private val port: OpenPort, log: Logger) {
     @Volatile
     var nowMs = 0L
@@ -39,7 +39,7 @@ private class Perceiving(private val port: OpenPort, log: Logger) {
     /** Hands over [message], as the sensing thread does. */
     fun hears(message: String) = board.received(port, message, nowMs, nowMs)
 
-    /** Begins a reasoning cycle, as the agent's thread does; returns the beliefs about the board in it. */
+    /** Begins a reasoning cycle, as the agent's thread does. Returns the beliefs about the board in it. */
     fun perceive(): String {
         board.putDue()
         handOver.take()?.let { perceived = it.percepts.toString() }

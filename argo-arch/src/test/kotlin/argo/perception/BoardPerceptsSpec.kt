@@ -26,14 +26,12 @@ import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
 import java.util.logging.Logger
 
-/** A board that the agent perceives as long as it [wants] to. */
 internal class WantedBoard(private val wants: () -> Boolean) : PerceivedBoard {
     override val sensed = emptyList<Literal>()
     override fun isOn(port: OpenPort) = wants()
     override fun filtered(snapshot: Snapshot) = Unit
 }
 
-/** The percepts of a board that an agent perceives, as long as it [wants] to. */
 private class PerceptsBench(port: OpenPort) {
     var nowMs = 0L
     var wants = true
@@ -57,16 +55,12 @@ private class PerceptsBench(port: OpenPort) {
     fun isTold(percept: String, rule: CriticalRule, outcome: ReflexOutcome = ReflexOutcome.CARRIED_OUT) =
         board.reported(port, rule, outcome, percept, nowMs)
 
-    /** Returns the time at which a percept was seen last. */
     fun seenMs(percept: String) = board.lastSeen.lastSeenNanos(ASSyntax.parseLiteral(percept))
 
-    /** Returns the warnings about percepts since the last call. */
     fun refused(): List<String> = unreadable.toList().also { unreadable.clear() }
 
-    /** Returns the percepts that the agent perceives now. */
     fun perceived() = handOver.take()?.percepts?.map { "$it" }
 
-    /** Returns the reflexes that were sent. */
     fun reflexes(): List<String> = sent.toList()
 }
 
@@ -275,7 +269,7 @@ class BoardPerceptsSpec : FunSpec({
                 perceived() shouldBe listOf("light(4)")
                 isTold("dist(f,9);", rule)
                 perceived() shouldBe listOf("dist(f,9)", "light(4)")
-                isTold("dist(f,20);", rule) // which does not meet it
+                isTold("dist(f,20);", rule) // it does not meet the rule
                 perceived() shouldBe listOf("light(4)")
                 beliefs.shouldBeEmpty()
             }

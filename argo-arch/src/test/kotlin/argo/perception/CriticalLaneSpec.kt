@@ -23,7 +23,7 @@ class CriticalLaneSpec : FunSpec({
         critical.map { (rule, text) -> CriticalPercept(rule, ASSyntax.parseLiteral(text)) },
     )
 
-    /** A hand-over to an agent whose queue holds the given number of percept events, with one command that never goes out. */
+    /** A hand-over to an agent. The agent's queue holds the given number of percept events, and one command never goes out. */
     class Busy(events: Int) {
         val queue = ConcurrentLinkedQueue<Event>()
         val commands = CommandLedger { this }
@@ -47,7 +47,7 @@ class CriticalLaneSpec : FunSpec({
         busy.handOver.put(snapshot(2, near to "near(9)"))
         busy.handOver.isReady() shouldBe true
         busy.taken() shouldBe 2
-        busy.taken() shouldBe null // the snapshot there before it is older
+        busy.taken() shouldBe null // the earlier snapshot is older
     }
 
     test("one with the same critical percepts waits as any other") {

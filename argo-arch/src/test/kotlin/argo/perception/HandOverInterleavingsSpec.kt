@@ -11,9 +11,9 @@ import jason.asSyntax.Literal
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
-/** Board and agent at one hand-over; checks the agent's snapshots as it takes them. */
+/** Takes an agent's snapshots from [handOver], and checks them. */
 private class Perceptions(private val handOver: HandOver) {
-    private val taken = ArrayList<Snapshot>() // the agent's, and after it has ended the test's
+    private val taken = ArrayList<Snapshot>() // for the agent's thread and, after its end, for the test's thread
 
     fun take() {
         val snapshot = handOver.take() ?: return
@@ -24,7 +24,7 @@ private class Perceptions(private val handOver: HandOver) {
         taken += snapshot
     }
 
-    /** Returns the times of all snapshots that were taken, when none is left to take. */
+    /** Takes the snapshots that are left, and returns the times of all. */
     fun all(): List<Long> {
         while (handOver.isReady()) take()
         return taken.map { it.receivedNanos }
@@ -40,7 +40,7 @@ class HandOverInterleavingsSpec : FunSpec({
 
     fun fresh() = FreshHandOver(EarlierWork(CommandLedger { null }, nowMs = { 0 }))
 
-    /** Puts [snapshots] while the agent takes twice, in all interleavings; [expect] gets the times of all snapshots that it took. */
+    /** Puts [snapshots] while the agent takes twice, in all interleavings. [expect] gets the times of all taken snapshots. */
     fun check(handOver: () -> HandOver, vararg snapshots: Snapshot, expect: (List<Long>) -> Boolean) = inEachInterleaving {
         val shared = handOver()
         val agent = Perceptions(shared)

@@ -15,7 +15,6 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Plan
 
-/** The port in use. */
 private object Robot
 
 class HandOverSpec : FunSpec({
@@ -68,7 +67,7 @@ class HandOverSpec : FunSpec({
             handOver.isReady() shouldBe false
             queue.removeFirst()
             handOver.take() shouldBe null
-            queue += percept("+weather(rain)[source(percept)]") // of a later perception, not of the snapshot
+            queue += percept("+weather(rain)[source(percept)]") // belongs to a later perception
             queue.removeFirst()
             handOver.take()?.receivedNanos shouldBe 2
         }
@@ -172,7 +171,7 @@ class HandOverSpec : FunSpec({
             val handOver = FreshHandOver(EarlierWork(ledger))
             val first = ledger.issue(Robot)
             handOver.put(snapshot(1))
-            handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
+            handOver.take()?.receivedNanos shouldBe 1 // no hand-over comes before the first one
             val second = ledger.issue(Robot)
             handOver.put(snapshot(2))
             handOver.take() shouldBe null
@@ -196,7 +195,7 @@ class HandOverSpec : FunSpec({
             handOver.take() shouldBe null
             inUse = Robot
             handOver.take()?.receivedNanos shouldBe 2
-            ledger.issue(other) // by a plan that had asked for the port before it changed
+            ledger.issue(other) // a plan asked for the port before the port changed
             handOver.put(snapshot(3))
             handOver.take()?.receivedNanos shouldBe 3
             handOver.put(snapshot(4))

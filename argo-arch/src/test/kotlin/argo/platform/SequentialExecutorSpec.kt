@@ -32,7 +32,7 @@ class SequentialExecutorSpec : FunSpec({
 
     test("goes on after what throws") {
         val thrown = ConcurrentLinkedQueue<Throwable>()
-        val done = CountDownLatch(2) // a thread's handler is called when the next thread may work already
+        val done = CountDownLatch(2) // the handler may be called after the next thread has begun
         val platform = object : Platform by Platform.system {
             override fun start(name: String, run: () -> Unit) = Thread(run, name).apply {
                 setUncaughtExceptionHandler { _, cause -> thrown += cause; done.countDown() }

@@ -4,7 +4,7 @@ import javino.LineClock
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** The machine, but for its time, which the test advances. */
+/** The machine's platform, but with a time that the test advances. */
 internal class TestTime : Platform by Platform.system {
     private class Due(val atMs: Long, val action: () -> Unit)
 
@@ -21,25 +21,24 @@ internal class TestTime : Platform by Platform.system {
         dues += Due(nowMs + delayMs, action)
     }
 
-    /** Lets [ms] pass, without the work that is due meanwhile. */
+    /** Advances the time by [ms], without the work that becomes due. */
     fun pass(ms: Long) {
         nowMs += ms
     }
 
-    /** Does the work that is due next, and waits if there is none yet: other threads may be about to add it. */
+    /** Does the work that is due next. If no work is due yet, waits for another thread to add some. */
     fun step() {
         val due = checkNotNull(dues.poll(20, TimeUnit.SECONDS)) { "nothing is due" }
         nowMs = maxOf(nowMs, due.atMs)
         due.action()
     }
 
-    /** [step], unless nothing is due. */
     fun stepIfDue() {
         if (!isIdle()) step()
     }
 
     fun isIdle() = dues.isEmpty()
 
-    /** Returns the time of the oldest pending work; there is some. */
+    /** Returns the time of the oldest pending work. Fails if there is none. */
     fun nextMs(): Long = dues.element().atMs
 }

@@ -8,7 +8,6 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** An architecture that counts how often it is woken. */
 private class Sleeper : AgArch() {
     @Volatile
     var wakes = 0
@@ -18,7 +17,7 @@ private class Sleeper : AgArch() {
     }
 }
 
-/** An agent that sleeps and is woken, in a time of its own. */
+/** An agent that sleeps and is woken, in virtual time. */
 private class Waking {
     val time = TestTime()
     val agent = Sleeper()
@@ -31,7 +30,7 @@ class WakerSpec : FunSpec({
     waking("an agent that may fall asleep just when it is to perceive is woken again and again until it does") {
         waker.perceives()
         waker.wakeIn(100)
-        waker.maySleep() shouldBe true // and does not sleep yet
+        waker.maySleep() shouldBe true // but does not sleep yet
         repeat(4) { time.step() } // after 100 ms, and 1, 2 and 4 ms later
         time.nowMs() shouldBe 107
         agent.wakes shouldBe 4

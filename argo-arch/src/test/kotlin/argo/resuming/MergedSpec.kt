@@ -4,7 +4,6 @@ import argo.mind.Mind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** An agent whose program has changed since its state was kept goes on from what still fits. */
 class MergedSpec : FunSpec({
     fun merged(kept: Mind, then: Mind, now: Mind) = Merged(State("robot", 0, emptyList(), then, kept), now)
 

@@ -9,7 +9,6 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 
-/** The text of an agent's state: AgentSpeak that a person can read and change. */
 class StateSpec : FunSpec({
     val state = State(
         agent = "robot",

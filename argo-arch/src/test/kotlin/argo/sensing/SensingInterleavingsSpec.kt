@@ -23,10 +23,10 @@ import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 
-/** The board has been asked for its percepts: ends the sensing thread. */
+/** Thrown when the board is asked for its percepts, to end the sensing thread. */
 private class Asked : Error()
 
-/** Time and threads of one port's sensing. A wait of 50 ms or more ends only with a signal, so that a lost one is found. */
+/** The time and the threads of one port's sensing. A wait of 50 ms or more ends only by a signal, so that the test finds a lost signal. */
 private class SensingTime : Platform, LineClock {
     @Volatile
     private var now = 0L
@@ -55,7 +55,6 @@ private class SensingTime : Platform, LineClock {
         JavinoLink(Link.over(SilentLine(this), settings, this))
 }
 
-/** A line whose board is silent. */
 private class SilentLine(private val time: SensingTime) : Transport {
     override fun name() = "silent"
 
@@ -71,7 +70,6 @@ private class SilentLine(private val time: SensingTime) : Transport {
     override fun close() = Unit
 }
 
-/** The agent's wishes. */
 private class Wishes : SensingListener {
     @Volatile
     var isPerceiving = false
@@ -120,7 +118,7 @@ class SensingInterleavingsSpec : FunSpec({
                     try {
                         time.run()
                     } catch (_: Asked) {
-                        // what is checked: it comes
+                        // the expected request has come
                     }
                 },
             )

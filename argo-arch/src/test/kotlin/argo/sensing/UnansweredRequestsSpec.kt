@@ -19,7 +19,6 @@ import javino.sim.FakeBoard
 
 private const val MOST_EXCHANGES = 1000
 
-/** Sensing of a board that does not answer any more. */
 class UnansweredRequestsSpec : FunSpec({
     val time = TestTime()
     val events = ArrayList<String>()
@@ -45,7 +44,7 @@ class UnansweredRequestsSpec : FunSpec({
     }
 
     fun Sensing.exchangeUntil(event: String) {
-        repeat(MOST_EXCHANGES) { // a busy machine may be slower than a time limit
+        repeat(MOST_EXCHANGES) { // on a busy machine an answer may be late
             exchange()
             if (events.last() == event) return
         }

@@ -22,7 +22,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import javino.PerceptTerm
 
-/** A board decides over percepts as a filter does, for every rule that is mapped. Here to see how the simulated board decides. */
+/** Checks that a board decides like a filter for every mapped rule. In this package the test sees how the simulated board decides. */
 class BoardRuleMappingSpec : FunSpec({
     val words = Arb.element("front", "back", "f", "'a b'", "true", "x1")
     val numbers = arbitrary { rs ->
