@@ -1,4 +1,7 @@
-"""Writes the bags of src/test/resources/bags: python bag.py FOLDER. rosbags writes one, and mcap the same with other compressions."""
+"""Writes the bags of src/test/resources/bags: python bag.py FOLDER.
+
+rosbags writes one bag. mcap writes copies of it with other compressions.
+"""
 
 import pathlib
 import shutil
@@ -65,7 +68,7 @@ def rewrite(source, target, compression):
 
 
 def write_odd(target):
-    """Writes a bag with messages that are cut off, of a type in another language, and in another encoding."""
+    """Writes a bag with unreadable messages. They are cut off, or have a type in another language, or have another encoding."""
     with open(target, "wb") as written:
         writer = McapWriter(written, compression=CompressionType.NONE)
         writer.start()

@@ -1,6 +1,7 @@
 """Prints messages of random types of ROS 2, as rosbags and Cyclone DDS write them in CDR: python cdr.py SEED COUNT.
 
-Each line is JSON: "schema", the type as a bag describes it; "bytes", the messages in hex, by who wrote them; "json", as a rosbridge has it.
+Each line is a JSON object. "schema" is the type as a bag describes it. "bytes" has the message in hex, by the program that wrote it.
+"json" is the message as a rosbridge returns it.
 """
 
 import base64

@@ -26,7 +26,7 @@ async function whole() {
   console.log(`count ${reader.statistics.messageCount}`);
 }
 
-// Reads the file from its beginning, as far as it is whole.
+// Reads the file from its beginning, as far as it is complete.
 function cut() {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   const topics = new Map();

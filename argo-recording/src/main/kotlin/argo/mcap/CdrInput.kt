@@ -5,7 +5,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * Reads the values of a message in plain CDR, which is version 1 of XCDR (OMG DDS-XTypes 1.3, 7.4.1), from the beginning to the end.
+ * Reads the values of a message in plain CDR, from the beginning to the end. Plain CDR is version 1 of XCDR (OMG DDS-XTypes 1.3, 7.4.1).
  * Functions throw [BufferUnderflowException] if the message ends too early. For one thread.
  */
 internal class CdrInput(data: ByteArray) {
@@ -19,7 +19,7 @@ internal class CdrInput(data: ByteArray) {
         bytes.order(if (form == LITTLE) ByteOrder.LITTLE_ENDIAN else ByteOrder.BIG_ENDIAN)
     }
 
-    /** Moves to the next value of [size] bytes, whose offset is a multiple of [size], and returns the bytes. */
+    /** Moves to the next value of [size] bytes, which begins at a multiple of [size]. Returns the buffer. */
     fun at(size: Int): ByteBuffer {
         val place = (bytes.position() + size - 1) / size * size
         if (place > bytes.limit()) throw BufferUnderflowException()
@@ -32,10 +32,9 @@ internal class CdrInput(data: ByteArray) {
         if (bytes.hasRemaining()) bytes.get()
     }
 
-    /** Reads how many items follow. */
     fun length(): Int = requireRoom(at(Int.SIZE_BYTES).getInt())
 
-    /** Returns [length] if that many items of at least a byte can follow. */
+    /** Returns [length] if so many items of at least one byte can follow. */
     fun requireRoom(length: Int): Int = if (length in 0..bytes.remaining()) length else throw BufferUnderflowException()
 
     fun bytes(length: Int): ByteArray = ByteArray(length).also(bytes::get)

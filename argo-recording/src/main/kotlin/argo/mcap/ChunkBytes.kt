@@ -13,7 +13,7 @@ internal class ChunkBytes {
 
     val channels: Set<Int> get() = index.keys
 
-    /** The range of the log times of the chunk's messages; null: it has no messages. */
+    /** The range of the log times of the chunk's messages; null if it has no messages. */
     var times: LongRange? = null
         private set
 
@@ -25,7 +25,7 @@ internal class ChunkBytes {
         records.record(Op.MESSAGE) { u16(channel).u32(sequence).u64(logTimeNs).u64(publishTimeNs).bytes(data) }
     }
 
-    /** Writes the beginning of a chunk into [target]: all that comes before the [compressed] records in it. Returns [target]. */
+    /** Writes the part of a chunk before its [compressed] records into [target]. Returns [target]. */
     fun head(target: RecordBytes, compressed: RecordBytes): RecordBytes {
         val head = RecordBytes().u64(times?.first ?: 0).u64(times?.last ?: 0).u64(size.toLong())
             .u32(CRC32().apply { update(records.array(), 0, size) }.value).text(Lz4.NAME).u64(compressed.size.toLong())

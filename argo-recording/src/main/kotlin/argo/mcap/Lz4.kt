@@ -4,11 +4,11 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md) of independent blocks, without
- * checksums, since a chunk has its own checksum. For one thread.
+ * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md). Writes independent blocks
+ * without checksums, since a chunk has its own checksum. For one thread.
  *
- * Programs that use MCAP's libraries in C++ or Python write blocks that refer to earlier blocks. Of Java's libraries, lz4-java refuses
- * frames of such blocks. Aircompressor, which unpacks Zstandard here, reads no frames of LZ4.
+ * Programs that use MCAP's libraries in C++ or Python write blocks that refer to earlier blocks. The Java library lz4-java refuses frames
+ * with dependent blocks. Aircompressor, which unpacks Zstandard here, reads no frames of LZ4.
  */
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)
@@ -49,7 +49,7 @@ internal class Lz4 {
         return block.sequence(data, literals, end, 0, 0)
     }
 
-    /** Writes the bytes of [data] from [from] up to [until]. Then writes a match at [offset], unless [offset] is 0. */
+    /** Writes the bytes of [data] from [from] up to [until], and a match at [offset]. If [offset] is 0, writes no match. */
     private fun RecordBytes.sequence(data: ByteArray, from: Int, until: Int, offset: Int, more: Int): RecordBytes {
         val literals = until - from
         u8((minOf(literals, NIBBLE) shl NIBBLE_BITS) or minOf(more, NIBBLE))
@@ -76,7 +76,7 @@ internal class Lz4 {
     companion object {
         const val NAME = "lz4"
 
-        /** The head of a frame: the magic number, the flags for independent blocks of at most 4 MB, and the checksum of the flags. */
+        /** The head of a frame: magic number, flags for independent blocks of at most 4 MB, checksum of the flags. */
         private val HEAD = byteArrayOf(0x04, 0x22, 0x4D, 0x18, 0x60, 0x70, 0x73)
         private const val MAGIC_NUMBER = 0x184D2204
         private const val MAX_BLOCK_BYTES = 4 shl 20
@@ -85,14 +85,15 @@ internal class Lz4 {
         private const val HASH_FACTOR = -1640531535
         private const val MAX_OFFSET = 0xFFFF
         private const val MIN_MATCH = 4
-        private const val LAST_MATCH = 12 // a match must begin at least this many bytes before the end
+        private const val LAST_MATCH = 12 // a match must begin at least so many bytes before the end
         private const val LAST_LITERALS = 5
         private const val NIBBLE = 15
         private const val NIBBLE_BITS = 4
         private const val FULL_BYTE = 255
 
         /**
-         * Returns the [length] bytes that are packed in [frame]. Reads any frame without a dictionary, and ignores its checksums.
+         * Returns the [length] unpacked bytes of [frame]. Reads any frame without a dictionary, and ignores its checksums.
+         *
          * @throws McapException if [frame] does not contain [length] bytes
          */
         fun decompress(frame: ByteBuffer, length: Int): ByteBuffer = try {

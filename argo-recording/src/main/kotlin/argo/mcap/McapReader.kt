@@ -6,13 +6,13 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 with chunks that are compressed by LZ4 or Zstandard, or not at all. Of a damaged or cut-off file it reads
- * the parts that are whole.
+ * Reads a file of MCAP version 0. Chunks may be uncompressed, or compressed by LZ4 or Zstandard. If a file is damaged or cut off, reads its
+ * undamaged parts.
  *
  * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *
  * @param path the file; it should not change while it is read
- * @throws McapException if the file is empty, no MCAP file, or of a newer version of the format
+ * @throws McapException if the file is empty, is not an MCAP file, or has a newer version of the format
  * @throws java.io.IOException if the file cannot be read
  */
 class McapReader(path: Path) : Closeable {
@@ -39,10 +39,10 @@ class McapReader(path: Path) : Closeable {
     /** The number of messages that can be read. */
     val messageCount: Long get() = contents.messageCount
 
-    /** The range from the earliest to the latest log time; null: there is no message. */
+    /** The range from the earliest to the latest log time; null if there is no message. */
     val times: LongRange? get() = contents.times
 
-    /** One sentence for each unreadable part of the file; the 101st is about all others. */
+    /** One sentence for each unreadable part of the file. After 100 sentences, one last sentence says that there are others. */
     val problems: List<String> get() = contents.problems
 
     /** True if the writer closed the file, and all of it can be read. */
@@ -52,8 +52,8 @@ class McapReader(path: Path) : Closeable {
      * Returns the messages in the order in which they were written.
      *
      * @param from the first log time in ns
-     * @param until only messages with a log time before this one are returned, in ns
-     * @param topics the channels' topics; null: all
+     * @param until the end of the log times in ns; only earlier messages are returned
+     * @param topics the channels' topics; null for all
      * @return a sequence that reads the file during the iteration, and throws [McapException] if the file has changed
      */
     fun messages(from: Long = 0, until: Long = Long.MAX_VALUE, topics: Set<String>? = null): Sequence<McapMessage> {
@@ -84,7 +84,7 @@ class McapReader(path: Path) : Closeable {
     }
 }
 
-/** Returns the message in this record; null: its channel is not in [channels]. */
+/** Returns the message in this record; null if its channel is not in [channels]. */
 private fun ByteBuffer.message(channels: Map<Int, McapChannel>): McapMessage? {
     val channel = channels[u16()] ?: return null
     return McapMessage(channel, u32(), u64(), u64(), bytes(remaining().toLong()))

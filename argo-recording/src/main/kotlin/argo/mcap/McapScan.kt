@@ -5,12 +5,12 @@ import java.nio.ByteOrder
 import java.nio.file.Path
 import java.util.zip.CRC32
 
-/** A part of the file with whole records of messages. [times] is the range of the messages' log times. */
+/** A part of the file with complete records of messages. [times] is the range of the messages' log times. */
 internal class MessagePart(private val at: Long, private val length: Long, private val packed: Packed, val times: LongRange) {
     fun records(input: McapInput): ByteBuffer = packed.unpacked(input.read(at, length))
 }
 
-/** The packing of a chunk's records: the MCAP name of their [compression], and the number of unpacked [bytes]. */
+/** How a chunk's records are packed: the MCAP name of their [compression], and the number of unpacked [bytes]. */
 internal class Packed(private val compression: String, private val bytes: Long) {
     fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
         "" -> records
@@ -48,7 +48,7 @@ internal class McapContents {
 
 internal fun emptyFile(path: Path) = "$path is empty: the recording ended, or the disk was full, before anything was written"
 
-/** Scans a file from its beginning, as far as its records are whole. */
+/** Scans a file from its beginning, as far as its records are complete. */
 internal class McapScan(private val input: McapInput) {
     private val contents = McapContents()
     private var isDataOver = false
@@ -105,14 +105,14 @@ internal class McapScan(private val input: McapInput) {
         }
     }
 
-    /** Returns the length of the content of the record at [at]; null: the record is not whole. */
+    /** Returns the length of the content of the record at [at]; null if the record is not complete. */
     private fun lengthOf(at: Long): Long? {
         val rest = input.size - at - RECORD_HEAD_BYTES
         if (rest < 0) return null
         return input.read(at + 1, RECORD_HEAD_BYTES - 1L).getLong().takeIf { it in 0..rest }
     }
 
-    /** Reads the record of kind [op] that begins at [start], with its content at [at]. */
+    /** Reads the record of kind [op] that begins at [start], with its content from [at] on. */
     private fun take(op: Int, start: Long, at: Long, length: Long) {
         if (op == Op.FOOTER) {
             if (!isDataOver) contents.problem("the record that ends the messages is missing; the file is damaged before byte $start")
@@ -170,7 +170,8 @@ internal class McapScan(private val input: McapInput) {
     }
 
     /**
-     * Reads the schemas and channels in [records]. If [records] has messages, adds the part that [partOf] makes for their range of times.
+     * Reads the schemas and channels in [records]. If [records] has messages, calls [partOf] with their range of times, and adds the part
+     * that it returns.
      */
     private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
@@ -230,7 +231,7 @@ internal class McapScan(private val input: McapInput) {
     private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
 
     private companion object {
-        /** The fields before an attachment's data, such as its name, are never longer than this. */
+        /** An upper limit for the length of the fields before an attachment's data, such as its name. */
         const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
     }
 }

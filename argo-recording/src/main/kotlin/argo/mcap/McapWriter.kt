@@ -4,11 +4,11 @@ import java.nio.channels.WritableByteChannel
 import java.util.zip.CRC32
 
 /**
- * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks compressed by LZ4, each with a checksum and an index, and a
- * summary at the end. A reader can read a cut-off file up to its last whole chunk.
+ * Writes a file of MCAP version 0 (https://mcap.dev/spec). Messages are in chunks compressed by LZ4, each with a checksum and an index. A
+ * summary is at the end. A reader can read a cut-off file up to its last complete chunk.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink. After such an exception only those parts of the file are
- * usable that were whole before.
+ * For one thread. Each function throws the [java.io.IOException] of the sink. After an exception, only the parts of the file that were
+ * complete before are usable.
  *
  * @param sink receives the file from its first byte on; [close] closes it
  * @param library the name of the program that writes the file
@@ -29,8 +29,8 @@ class McapWriter(
     private var written = 0L
 
     /**
-     * The length of the file up to the last whole chunk, attachment or other record. Bytes that a failed function has written lie behind
-     * this length.
+     * The length of the file up to the last complete chunk, attachment or other record. If a function has failed, the bytes that it wrote
+     * are after this length.
      */
     var wholeBytes = 0L
         private set
@@ -82,7 +82,7 @@ class McapWriter(
         if (chunk.size >= chunkBytes) flush()
     }
 
-    /** Adds a file. Ends the chunk, and writes the file behind the chunk at once. */
+    /** Adds a file. Ends the chunk, and writes the file after it at once. */
     fun attachment(name: String, mediaType: String, data: ByteArray, timeNs: Long = 0) {
         flush()
         write(record.clear().attachment(name, mediaType, data, timeNs))
@@ -90,7 +90,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Adds names and values under [name]. Ends the chunk, and writes the names and values behind the chunk at once. */
+    /** Adds names and values under [name]. Ends the chunk, and writes the names and values after it at once. */
     fun metadata(name: String, values: Map<String, String>) {
         flush()
         write(record.clear().record(Op.METADATA) { text(name).map(values) })
@@ -114,7 +114,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Writes the rest and the summary. Closes the sink even if writing fails. May be called twice. */
+    /** Writes the remaining records and the summary. Closes the sink even if writing fails. May be called twice. */
     override fun close() {
         if (isClosed) return
         isClosed = true

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.zip.CRC32
 
-/** A growing buffer that writes values in MCAP's formats: little-endian numbers, and texts and maps with their length in front. */
+/** A growing buffer that writes values in MCAP's formats. Numbers are little-endian. Texts and maps begin with their length. */
 internal class RecordBytes(capacity: Int = 256) {
     private var buffer = ByteBuffer.allocate(capacity).order(ByteOrder.LITTLE_ENDIAN)
 

@@ -17,7 +17,7 @@ data class McapSchema(val id: Int, val name: String, val encoding: String, val t
  *
  * @property id the channel's number in the file
  * @property topic the channel's name, such as `/robot/cycle`
- * @property schema the schema of its messages; null: the file has no schema for the channel
+ * @property schema the schema of the channel's messages; null if the file has no schema for the channel
  * @property messageEncoding `json` in the files of [McapWriter]
  * @property metadata further names and values of the channel
  */
@@ -34,7 +34,7 @@ data class McapChannel(
  *
  * @property sequence the number of the message in its channel, from 0, in the files of [McapWriter]
  * @property logTimeNs the time of recording, in ns; since 1970 if it is a time of day
- * @property publishTimeNs the time at which the message was made, on the same clock
+ * @property publishTimeNs the time at which the message was made, on the clock of [logTimeNs]
  * @property data the message's bytes; do not change them
  */
 class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: Long, val publishTimeNs: Long, val data: ByteArray) {
@@ -45,9 +45,9 @@ class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: L
 }
 
 /**
- * A file inside the file.
+ * A file inside the MCAP file.
  *
- * @property mediaType its media type, such as `text/plain`
+ * @property mediaType the file's media type, such as `text/plain`
  * @property timeNs the time of recording, on the clock of the messages
  */
 class McapAttachment internal constructor(val name: String, val mediaType: String, val timeNs: Long, read: () -> ByteArray) {
@@ -63,5 +63,5 @@ class McapAttachment internal constructor(val name: String, val mediaType: Strin
 /** Named values, such as versions, under a common name. */
 data class McapMetadata(val name: String, val values: Map<String, String>)
 
-/** A file cannot be read as MCAP, or contains something that this version cannot read. */
+/** Reports that a file cannot be read as MCAP, or contains something that this version cannot read. */
 class McapException(message: String) : IOException(message)

@@ -10,10 +10,10 @@ import java.nio.BufferUnderflowException
 import java.util.Base64
 
 /**
- * Reads the messages of ROS 2 in a bag, which are in CDR. Returns them as the JSON that a rosbridge makes of them: `uint8[]` is text in
- * base64, and a number that is infinite or NaN is `null`. Immutable.
+ * Reads the messages of ROS 2 in a bag, which are in CDR. Returns them as JSON like a rosbridge does. `uint8[]` becomes text in base64, and
+ * a number that is infinite or NaN becomes `null`. Immutable.
  *
- * @property types the type of the messages, and then the types of the messages within them
+ * @property types the type of the messages, followed by the types of the messages within them
  */
 class RosMessages private constructor(val types: List<RosType>) {
     private val own = types.first()
@@ -22,7 +22,7 @@ class RosMessages private constructor(val types: List<RosType>) {
     /**
      * Reads a message, which may be compressed by Zstandard.
      *
-     * @throws McapException if [data] is no message of this type, or one that cannot be read here
+     * @throws McapException if [data] is no message of this type, or is a message that cannot be read here
      */
     fun read(data: ByteArray): JsonObject = try {
         Reading(CdrInput(if (Zstd.isIn(data)) Zstd.decompress(data) else data)).message(own, 0)
@@ -70,13 +70,16 @@ class RosMessages private constructor(val types: List<RosType>) {
     }
 
     companion object {
-        /** The most values of a message, without those in `uint8[]`. The limit keeps a damaged message from filling the memory. */
+        /**
+         * The largest number of values of a message, without those in `uint8[]`. The limit prevents a damaged message from filling the
+         * memory.
+         */
         const val MAX_VALUES = 1_000_000
 
         private const val MAX_DEPTH = 50
 
         /**
-         * Returns the reader for the messages of [channel]; null: they are not messages of ROS 2.
+         * Returns the reader for the messages of [channel]; null if they are not messages of ROS 2.
          *
          * @throws McapException if their type cannot be read
          */

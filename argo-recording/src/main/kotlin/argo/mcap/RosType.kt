@@ -31,7 +31,7 @@ private val CONSTANT = Regex("\\S+\\s+([A-Z][A-Z0-9_]*)\\s*=(.*)")
 private val FIELD = Regex("([A-Za-z]\\w*(?:/\\w+)*)(?:<=\\d+)?(\\[(<=)?(\\d{0,9})])?\\s+([A-Za-z]\\w*)(\\s.*)?")
 
 /**
- * Returns the types in [schema], whose encoding is `ros2msg`: first the type of its messages, then the types in it.
+ * Returns the types in [schema], which must have the encoding `ros2msg`. The first is the type of its messages. The types within it follow.
  *
  * @throws McapException if a line cannot be read
  */

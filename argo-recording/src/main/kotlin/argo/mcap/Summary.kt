@@ -23,7 +23,7 @@ internal class AttachmentIndex(
 
 internal class MetadataIndex(val at: Long, val length: Long, val name: String)
 
-/** The summary at the end of a file, the index for readers: schemas, channels, chunk indexes and counts. */
+/** The summary at the end of a file, an index for readers, with schemas, channels, chunk indexes and counts. */
 internal class Summary {
     val schemas = ArrayList<McapSchema>()
     val channels = ArrayList<McapChannel>()
@@ -32,7 +32,7 @@ internal class Summary {
     val metadata = ArrayList<MetadataIndex>()
     private val counts = HashMap<Int, Long>()
 
-    /** Counts a message of [channel], and returns the number of messages before it. */
+    /** Counts a message of [channel]. Returns the number of earlier messages. */
     fun count(channel: Int): Long = counts.getOrDefault(channel, 0L).also { counts[channel] = it + 1 }
 
     /** Returns the summary, the places of its groups of records, and the footer. The summary begins at [start] in the file. */

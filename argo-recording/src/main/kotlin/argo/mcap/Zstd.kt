@@ -2,18 +2,19 @@ package argo.mcap
 
 import io.airlift.compress.zstd.ZstdDecompressor
 
-/** Zstandard, which compresses the chunks of bags, and sometimes each message. */
+/** Unpacks Zstandard, which compresses the chunks of bags, and sometimes each message. */
 internal object Zstd {
     /** The name of this compression in MCAP files. */
     const val NAME = "zstd"
 
     private val MAGIC_NUMBER = byteArrayOf(0x28, 0xB5.toByte(), 0x2F, 0xFD.toByte())
 
-    /** Returns true if [data] begins as a compressed frame. No message in CDR does. */
+    /** Returns true if [data] begins like a compressed frame. No message in CDR begins like this. */
     fun isIn(data: ByteArray): Boolean = data.size >= MAGIC_NUMBER.size && data.copyOf(MAGIC_NUMBER.size).contentEquals(MAGIC_NUMBER)
 
     /**
      * Returns the unpacked bytes of [frame], which states their number.
+     *
      * @throws McapException if [frame] is damaged, or is too long
      */
     fun decompress(frame: ByteArray): ByteArray {
@@ -24,6 +25,7 @@ internal object Zstd {
 
     /**
      * Returns the [length] unpacked bytes of [frame].
+     *
      * @throws McapException if [frame] is damaged, or has another number of bytes
      */
     fun decompress(frame: ByteArray, length: Int): ByteArray {

@@ -3,7 +3,7 @@ package argo.recording
 import argo.filters.matching.withoutSmoothed
 import kotlinx.serialization.Serializable
 
-/** A reasoning cycle of an agent: its input, and the agent's course. Immutable. */
+/** A reasoning cycle of an agent, with its input and its course. Immutable. */
 @Serializable
 data class Cycle(
     @Holds("counts the recorded cycles of the agent, from 1; cycles in which nothing happened are not recorded")
@@ -73,7 +73,7 @@ internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.n
     calls.asSequence().flatMap { it.answers }.flatMap { it.values }
 
 /**
- * The change from one list of percepts to the next. The first [keep] and the last [keepLast] percepts stay, and [now] replaces the percepts
+ * The change from one list of percepts to the next. The first [keep] and the last [keepLast] percepts stay. [now] replaces the percepts
  * between them.
  */
 @Serializable
@@ -124,7 +124,6 @@ data class GivenOrder(
     val gone: Set<String> = emptySet(),
 )
 
-/** A file of a program that an agent was given at a reload. */
 @Serializable
 data class GivenFile(
     @Holds("the address of the file that includes it; empty: the program itself does")
@@ -269,7 +268,7 @@ data class PerceivedSnapshot(
     val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
 
-/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: it held none back. */
+/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null if it held none back. */
 internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
     kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 
@@ -322,9 +321,9 @@ data class Beginning(val beliefs: List<String>, val events: List<String>)
  * @property source the name of the attachment with the agent's program
  * @property options the agent's options in the `.mas2j`
  * @property isConditional whether Jason skipped those parts of a cycle that had no work, as its Local infrastructure does
- * @property address the address of the program in Jason's annotations and errors; null: not known
- * @property beginning the agent's beliefs and events at the beginning; null: not known
- * @property firstLabel the number that Jason gave to the agent's first plan without a name; null: the agent has no such plan
+ * @property address the address of the program in Jason's annotations and errors; null if it is not known
+ * @property beginning the agent's beliefs and events at the beginning; null if they are not known
+ * @property firstLabel Jason's number for the agent's first plan without a name; null if all plans have names
  * @property config Jason's settings for all agents
  */
 data class RecordedAgent(

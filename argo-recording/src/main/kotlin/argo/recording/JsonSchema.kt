@@ -14,17 +14,17 @@ import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 import java.util.concurrent.ConcurrentHashMap
 
-/** Describes a field of a recording by [text]. The schema in the file contains this text, for people who use another program. */
+/** Describes a field of a recording by [text]. The schema in the file contains this text, for readers with other programs. */
 @OptIn(ExperimentalSerializationApi::class)
 @SerialInfo
 @MustBeDocumented
 @Target(AnnotationTarget.PROPERTY)
 annotation class Holds(val text: String)
 
-/** The schemas made so far. The channels of all agents have the same schemas. */
+/** The schemas made so far. All agents share them. */
 private val known = ConcurrentHashMap<SerialDescriptor, String>()
 
-/** Returns the JSON schema of values with [descriptor]. Any thread may call. */
+/** Returns the JSON schema of values with [descriptor]. Any thread may call this function. */
 internal fun jsonSchema(descriptor: SerialDescriptor): String = known.computeIfAbsent(descriptor) { "${schemaOf(it)}" }
 
 @OptIn(ExperimentalSerializationApi::class)

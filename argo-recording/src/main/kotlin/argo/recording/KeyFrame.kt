@@ -2,7 +2,7 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/** The whole state of an agent at the end of a cycle. A replay can begin there. Immutable. */
+/** The whole state of an agent at the end of a cycle. A replay can begin at this cycle. Immutable. */
 @Serializable
 data class KeyFrame(
     @Holds("the index of the cycle at whose end the agent was like this")

@@ -1,6 +1,6 @@
 package argo.recording
 
-/** Returns this cycle in the form for a file, where nothing is stated twice. [whole] reverses the change. */
+/** Returns this cycle in the form for a file, which states nothing twice. [whole] reverses the change. */
 internal fun Cycle.lean(): Cycle = copy(
     input = input.copy(percepts = input.percepts?.lean(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == course.plan) it.copy(plan = Place()) else it }),
@@ -27,6 +27,6 @@ private fun PerceptChange.whole(snapshots: List<PerceivedSnapshot>): PerceptChan
     return PerceptChange(keep, List(take) { others[it] ?: texts[skip + it] }, keepLast)
 }
 
-/** Returns the percepts of these snapshots that the filters kept, in the notation of beliefs: without blanks. */
+/** Returns the percepts of these snapshots that the filters kept, in the notation of beliefs, which has no blanks. */
 private fun List<PerceivedSnapshot>.texts(): List<String> =
     flatMap { it.kept ?: it.texts }.map { if ('"' in it) it else it.filterNot(Char::isWhitespace) }

@@ -21,5 +21,5 @@ internal fun isProgram(name: String) = name.startsWith("program/") && '/' in nam
 
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"
 
-/** Of Jason's settings for all agents, those that change how agents behave. */
+/** Jason's settings for all agents that change how agents behave. */
 internal val CONFIG = listOf(Config.SHORT_UNNAMED_VARS, Config.KQML_RECEIVED_FUNCTOR)

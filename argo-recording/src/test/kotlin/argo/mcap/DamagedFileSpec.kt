@@ -21,7 +21,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.random.Random
 
-/** Returns the messages of [file] in short, and its problems. Reads all attachments and metadata, too. */
+/** Reads [file] with all attachments and metadata. Returns its messages in short, and its problems. */
 private fun read(file: Path) = McapReader(file).use { read ->
     read.attachments.forEach { it.data }
     read.messages().map { it.inShort() }.toList() to read.problems
@@ -42,7 +42,7 @@ class DamagedFileSpec : FunSpec({
                 } else {
                     val (messages, problems) = read(file)
                     val last = parts.lastOrNull { it.bytes <= length }?.messages.orEmpty()
-                    // a file may end with a whole chunk without its index
+                    // a file may end with a complete chunk without its index
                     (messages == last || messages in parts.map { it.messages } && messages.size > last.size) shouldBe true
                     problems.shouldNotBeEmpty()
                 }
@@ -75,7 +75,7 @@ class DamagedFileSpec : FunSpec({
             try {
                 read(file).first.forAll { (it in parts.last().messages) shouldBe true }
             } catch (_: McapException) {
-                // its own
+                // the reader's own exception
             }
         }
     }

@@ -22,7 +22,6 @@ private class OtherReader(val name: String, private val program: Path, val comma
         if (program.exists()) Enabled.enabled
         else Enabled.disabled("the reader of $name is missing: argo-recording/install-readers installs it")
 
-    /** Returns the lines that the reader prints for [file]. */
     fun read(how: String, file: Path): List<String> {
         val process = ProcessBuilder(command(how, file)).start()
         var errors = ""

@@ -44,7 +44,7 @@ class Lz4Spec : FunSpec({
 
     test("a block that repeats bytes of the block before is read, as other programs write them") {
         val stored = byteArrayOf(15, 0, 0, -0x80) + "dist(front,38);".encodeToByteArray()
-        val repeating = byteArrayOf(9, 0, 0, 0) + byteArrayOf(0x0B, 15, 0) + 0x50 + "end()".encodeToByteArray() // 15 bytes from 15 before
+        val repeating = byteArrayOf(9, 0, 0, 0) + byteArrayOf(0x0B, 15, 0) + 0x50 + "end()".encodeToByteArray() // repeats 15 bytes
         val frame = byteArrayOf(0x04, 0x22, 0x4D, 0x18, 0x40, 0x40, -0x40) + stored + repeating + ByteArray(4)
         decompressed(frame, 35).decodeToString() shouldBe "dist(front,38);dist(front,38);end()"
     }
@@ -56,7 +56,7 @@ class Lz4Spec : FunSpec({
             try {
                 decompressed(frame.copyOf().also { it[at] = value }, data.size).size shouldBe data.size
             } catch (_: McapException) {
-                // its own
+                // the library's own exception
             }
         }
         shouldThrow<McapException> { decompressed(frame.copyOf(frame.size / 2), data.size) }

@@ -26,7 +26,7 @@ private fun bytes(hex: String) = hex.filterNot { it == ' ' }.chunked(2).map { it
 
 private fun channel(definition: String) = McapChannel(1, "/a", McapSchema(1, "my_msgs/msg/A", "ros2msg", definition), "cdr")
 
-/** Checks [lines] of the program cdr.py: messages as other programs write them, and the JSON that they are. */
+/** Checks [lines] of the program cdr.py. A line has messages as other programs write them, and the JSON that must be read from them. */
 internal fun checkCdr(lines: List<String>) = lines.forEach { line ->
     val vector = Json.parseToJsonElement(line).jsonObject
     val messages = RosMessages.of(channel(vector.getValue("schema").jsonPrimitive.content)).shouldNotBeNull()
@@ -37,14 +37,14 @@ internal fun checkCdr(lines: List<String>) = lines.forEach { line ->
 
 private infix fun JsonElement.shouldBeJson(expected: JsonElement) = withNumbers(this) shouldBe withNumbers(expected)
 
-/** Returns [json] with its numbers as such, since `1e30` and `1.0E30` are one. */
+/** Returns [json] with numbers in place of their texts, since `1e30` and `1.0E30` are equal. */
 private fun withNumbers(json: JsonElement): Any? = when (json) {
     is JsonObject -> json.mapValues { withNumbers(it.value) }
     is List<*> -> json.map { withNumbers(it as JsonElement) }
     is JsonPrimitive -> if (json.isString) json.content else json.content.toBigDecimalOrNull()?.stripTrailingZeros() ?: json.content
 }
 
-/** Bags that `rosbags` and `mcap` (PyPI) have written: src/test/readers/bag.py. */
+/** Reads the bags that `rosbags` and `mcap` (PyPI) have written by src/test/readers/bag.py. */
 class RosMessagesSpec : FunSpec({
     fun messages(bag: String, topic: String) = McapReader(Path.of("src/test/resources/bags/$bag.mcap")).use { reader ->
         reader.problems.shouldBeEmpty()

@@ -12,10 +12,10 @@ internal fun <T> writeMcap(path: Path, chunkBytes: Int = McapWriter.DEFAULT_CHUN
 /** Returns a message in short: topic, number, time and text. */
 internal fun McapMessage.inShort() = "${channel.topic} $sequence $logTimeNs $text"
 
-/** A length of the file of [writeSmall] up to which all of it is whole, and the messages up to there. */
+/** A length of the file of [writeSmall] up to which it is complete, and the messages up to this length. */
 internal class Whole(val bytes: Long, val messages: List<String>)
 
-/** Writes a small file with all kinds of records in [path], and returns where its whole parts end. */
+/** Writes a small file with all kinds of records in [path], and returns where its complete parts end. */
 internal fun writeSmall(path: Path): List<Whole> = writeMcap(path) {
     val messages = ArrayList<String>()
     val whole = arrayListOf(Whole(wholeBytes, emptyList()))

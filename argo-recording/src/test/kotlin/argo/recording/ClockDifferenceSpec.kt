@@ -10,7 +10,6 @@ import io.kotest.property.arbitrary.long
 import io.kotest.property.checkAll
 import kotlin.math.abs
 
-/** How far the clocks of two recordings are apart, by the messages between them. */
 class ClockDifferenceSpec : FunSpec({
     test("messages both ways bound the difference, however long they take") {
         val delays = Arb.list(Arb.long(0L..1_000_000_000L), 1..20)

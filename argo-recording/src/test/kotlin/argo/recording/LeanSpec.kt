@@ -23,7 +23,6 @@ private val changes = Arb.bind(Arb.int(0..3), texts.map { now -> now.map { it.re
     PerceptChange(keep, now, keepLast)
 }
 
-/** A recording holds nothing twice, and nothing gets lost by that. */
 class LeanSpec : FunSpec({
     test("a cycle is read as it was") {
         val places = Arb.element(Place("go", "robot.asl", 3), Place("p__2", "robot.asl", 9), Place())

@@ -10,8 +10,9 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * An infrastructure's version of one of Jason's internal actions: a direct subclass of Jason's class, with a constructor without arguments.
- * A recording has the action's calls under Jason's name for it. By [AwaitedOutside] its intention may wait for other computers.
+ * An infrastructure's version of one of Jason's internal actions. The action's class directly extends Jason's class, and has a constructor
+ * without arguments. A recording has the action's calls under Jason's name for the action. With [AwaitedOutside], the action's intention
+ * may wait for other computers.
  */
 interface OfInfrastructure
 
@@ -22,11 +23,11 @@ object AwaitedOutside {
     private const val NO_RECEIVER = "receiver_not_found"
 
     /**
-     * Suspends the intention whose internal action is being carried out. Call this on the thread of the agent of [ts]. If the action itself
-     * has suspended the intention, as a question does, the returned function ends the wait only with a failure.
+     * Suspends the intention of the internal action that is being carried out. Call this function on the thread of the agent of [ts]. If
+     * the action itself has suspended the intention, as a question does, the returned function ends the wait only with a failure.
      *
-     * @return a function that ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the
-     * first call counts. A recording of the agent contains the end of the wait
+     * @return a function that ends the wait, on any thread. If its argument is null, the intention continues. If its argument is an
+     * exception, the plan fails. Only the first call of the function counts. A recording of the agent contains the end of the wait
      */
     fun begin(ts: TransitionSystem): (JasonException?) -> Unit {
         val question = ts.c.pendingIntentions.entries.find { it.value === ts.c.selectedIntention }?.key
@@ -40,7 +41,7 @@ object AwaitedOutside {
         return { failed -> if (!hasEnded.getAndSet(true)) end(failed?.let { RecordedFailure(callFailure(it)) }, null) }
     }
 
-    /** Returns the exception that makes a plan fail with the annotation `error(…)` around [error], and with [message] for the user. */
+    /** Returns the exception that fails a plan with the annotation `error(…)` around [error], and with the text [message] for the user. */
     fun exceptionOf(error: String, message: String): JasonException {
         val failed = JasonException(message, if (error.isEmpty()) null else termOf(error))
         if (error == NO_AGENT) failed.addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom(NO_RECEIVER)))
@@ -55,5 +56,4 @@ object AwaitedOutside {
     }
 }
 
-/** Returns an exception for this recorded failure. */
 internal fun CallFailure.exception(): JasonException = AwaitedOutside.exceptionOf(error, message)

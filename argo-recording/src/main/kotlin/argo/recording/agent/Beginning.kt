@@ -14,8 +14,8 @@ internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. The recorded ones differ from the
- * program's own if the program draws a number or reads a clock.
+ * Gives the recorded beliefs and events to the agent of [ts]. Jason has just read the agent's program again. If the program draws a number
+ * or reads a clock, the recorded beliefs and events differ from those of the new reading.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
@@ -31,7 +31,10 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/** Returns the belief recorded at [place]; null: there is none. [now] has the present texts, [belief] is the present belief there. */
+/**
+ * Returns the belief recorded at [place]; null if there is none. [now] are the current texts, and [belief] is the current belief at
+ * [place].
+ */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief

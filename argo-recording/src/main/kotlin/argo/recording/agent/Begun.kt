@@ -12,7 +12,7 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Structure
 
-/** The operations that an agent has begun outside of its thread and that have not ended. Belongs to the agent's thread. */
+/** The operations that an agent has begun outside of its thread and that have not ended. Only for the agent's thread. */
 internal class Begun {
     private val open = HashMap<Int, (End) -> Unit>()
 
@@ -21,16 +21,16 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues to number operations after [last]. The operations in [open] have not ended. */
+    /** Numbers the next operations from [last] on. The operations in [open] have not ended. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)
     }
 
-    /** Adds an operation. [complete] is called with its end. Returns the operation's number. */
+    /** Adds an operation, and returns its number. [complete] is later called with the operation's end. */
     fun begin(complete: (End) -> Unit): Int = (++last).also { open[it] = complete }
 
-    /** Carries [end] out; returns false if no open operation has its number. */
+    /** Carries [end] out. Returns false if no open operation has its number. */
     fun carryOut(end: End): Boolean = open.remove(end.number)?.let { it(end) } != null
 }
 
@@ -39,7 +39,7 @@ internal fun complete(action: ActionExec, end: End) {
     end.failure?.let { action.setFailureReason(if (it.error.isEmpty()) null else ASSyntax.parseLiteral(it.error), it.message) }
 }
 
-/** Returns the failure of [action], which has ended; null: it succeeded. */
+/** Returns the failure of [action], which has ended; null if it succeeded. */
 internal fun failureOf(action: ActionExec): CallFailure? =
     if (action.result) null else CallFailure(action.failureReason?.let(Literal::toString).orEmpty(), action.failureMsg.orEmpty())
 
@@ -48,9 +48,9 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
     override val cause = failure.message
 }
 
-/** An action whose outcome goes to [ended] and not to Jason's queue. */
+/** An action with an outcome that goes to [ended] and not to Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this when the action has an outcome. The result null makes Jason ignore the outcome. */
+    /** Jason calls this function when the action has an outcome. The result null makes Jason ignore the outcome. */
     override fun getIntention() = null.also { ended(this) }
 }
 

@@ -6,12 +6,12 @@ import jason.asSyntax.Plan
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Jason's counters for all agents of a program: the numbers of variables, intentions, messages, suspended calls, calls of `.at`, and plans
- * without a name. A replay restores these counters, since names contain the numbers, and the order of Jason's maps depends on names.
+ * Jason's counters for all agents of a program. They number variables, intentions, messages, suspended calls, calls of `.at`, and plans
+ * without a name. A replay restores these counters. Names contain the numbers, and the order of Jason's maps depends on names.
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
-        .filter { it.isThere } // in a version of Jason that lacks a counter, only some numbers differ
+        .filter { it.isThere } // without a counter, only some numbers differ
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
     private val ofCalls = known.indexOf(Insides.callCounter)
@@ -19,11 +19,11 @@ internal object Counters {
     private val ofMessages = known.indexOf(Insides.messageCounter)
 
     /**
-     * Returns the counters as they were before this agent took its own numbers in a cycle. At the cycle's beginning the counters were at
-     * [start]; other agents may have taken numbers since.
+     * Returns the counters as they were before this agent took its own numbers in a cycle. At the beginning of the cycle the counters were
+     * at [start]. Other agents may have taken numbers since.
      *
-     * @param intention the number of the agent's first new intention; null: it has none
-     * @param message the name of the first message that it sent; null: it sent none
+     * @param intention the number of the agent's first new intention; null if it has none
+     * @param message the name of the first message that the agent sent; null if it sent none
      */
     fun before(start: List<Int>, intention: Int?, message: String?): List<Int> = start.mapIndexed { place, value ->
         when (place) {
@@ -44,10 +44,10 @@ internal object Counters {
 
     fun read(): List<Int> = all.map { it.get() }
 
-    /** Returns true if the counters are still at the [values] that [read] returned. */
+    /** Returns true if the counters have not changed since [read] returned [values]. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
-    /** Returns the lowest number in the names that Jason gave to [plans]; null: Jason has named none of them. */
+    /** Returns the lowest number in the names that Jason gave to [plans]; null if Jason has named none of them. */
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 

@@ -16,7 +16,7 @@ import jason.asSyntax.Trigger
 import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
-/** Observes the course of each cycle of the agent of [ts]. Belongs to the agent's thread. */
+/** Observes the course of each cycle of the agent of [ts]. Only for the agent's thread. */
 internal class CourseWatch(private val ts: TransitionSystem) {
     private val numbers = WeakHashMap<Intention, Int>()
 
@@ -31,10 +31,10 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     var step: StepNote? = null
         private set
 
-    /** Returns the number of [intention]; null: the agent has carried out no step of it. */
+    /** Returns the number of [intention]; null if the agent has carried out no step of it. */
     fun numberOf(intention: Intention): Int? = numbers[intention]
 
-    /** Continues to count intentions from [intentions] on. [numbers] are the numbers of the intentions that exist now. */
+    /** Continues to count intentions from [intentions] on. [numbers] are the numbers of the current intentions. */
     fun restore(intentions: Int, numbers: Map<Intention, Int>) {
         this.intentions = intentions
         this.numbers.putAll(numbers)
@@ -64,7 +64,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
-    /** True if Java is ending, so that lines of plans may be missing. */
+    /** True if Java is ending. Lines of plans may then be missing. */
     val missesPrints: Boolean get() = prints.isClosed
 
     fun close() = prints.close()
@@ -94,7 +94,7 @@ internal fun placeIn(plan: Plan): Place {
     return Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
 }
 
-/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative path is `file:robot.asl`. */
+/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form. A relative path is `file:robot.asl`. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
 internal fun mailOf(message: Message) =
@@ -117,7 +117,7 @@ internal class CourseNote(
     fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
 }
 
-/** A [Step] without its text. A null [body] means that the plan had ended. */
+/** A [Step] without its text. If [body] is null, the plan had ended. */
 internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, body: PlanBody?) {
     private val line: Int? = body?.srcInfo?.srcLine
     private val text = body?.run { laterText(listOf(bodyTerm)) { "$bodyType$bodyTerm" } }
@@ -125,13 +125,15 @@ internal class StepNote(private val intention: Int, private val depth: Int, priv
     fun step() = Step(intention, depth, plan, line, text?.invoke())
 }
 
-/** Returns a function for the present text of this trigger. Its literal may be the belief itself, whose annotations may change. */
+/**
+ * Returns a function for the current text of this trigger. The trigger's literal may be the belief itself, and its annotations may change.
+ */
 internal fun Event.triggerNow(): () -> String {
     val now = trigger.run { Trigger(operator, type, literal.copy()) }
     return laterText(listOf(now.literal)) { "$now" }
 }
 
-/** Returns a function for the present text of this action. The environment gets the action and may change it. */
+/** Returns a function for the current text of this action. The environment gets the action and may change it. */
 internal fun ActionExec.termNow(): () -> String {
     val now = actionTerm.copy()
     return laterText(listOf(now)) { "$now" }

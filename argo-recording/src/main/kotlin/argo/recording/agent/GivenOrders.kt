@@ -13,7 +13,7 @@ private const val RELOAD = "reload"
 private const val RESUME = "resume"
 private const val BEGIN_ANEW = "begin_anew"
 
-/** Returns [order] as a recording contains it. */
+/** Returns [order] in the form of a recording. */
 internal fun given(order: Order): GivenOrder = when (order) {
     is Order.Believe -> GivenOrder(BELIEVE, order.literal)
     is Order.Forget -> GivenOrder(FORGET, order.literal)
@@ -28,7 +28,8 @@ internal fun given(order: Order): GivenOrder = when (order) {
 
 /**
  * Returns the order that the recorded order [given] describes.
- * @throws IllegalArgumentException if this version of ARGO has no such order
+ *
+ * @throws IllegalArgumentException if this version of ARGO does not know the order
  */
 internal fun orderOf(given: GivenOrder): Order = when (given.kind) {
     BELIEVE -> Order.Believe(given.text)

@@ -4,11 +4,11 @@ import jason.asSemantics.ArithFunction
 
 /** How an internal action or a function of Jason depends on the world outside of its agent, or changes that world. */
 internal enum class Nature {
-    /** No relation: the result follows from the agent, and nothing else changes. A replay carries the action out again. */
+    /** The result depends only on the agent, and nothing else changes. A replay carries the action out again. */
     PURE,
 
     /**
-     * The action's messages pass the [argo.boundary.Boundary], and in a fleet its intention waits until the messages have arrived. A replay
+     * The action's messages pass the [argo.boundary.Boundary]. In a fleet, its intention waits until the messages have arrived. A replay
      * carries the action out again, and makes the intention wait as it waited in the recording.
      */
     SENDING,
@@ -27,8 +27,8 @@ internal enum class Nature {
 }
 
 /**
- * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse unlisted code by
- * its name.
+ * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse all other code of
+ * Jason, and name it.
  */
 internal object JasonCode {
     private const val ACTIONS = "jason.stdlib."
@@ -54,7 +54,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record reload skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.reload argo.skew
-        """, // the lines after the first: ARGO's own actions, by other names
+        """, // all lines except the first: ARGO's own actions, by other names
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()
@@ -67,12 +67,12 @@ internal object JasonCode {
         Nature.INPUT to "Random time",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$FUNCTIONS$it" to nature } }.toMap()
 
-    /** Returns the nature of the class called [type]; null: it is not known. */
+    /** Returns the nature of the class called [type]; null if it is not known. */
     fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
 
     fun natureOf(type: Class<*>): Nature? = natureOf(typeOf(type).name)
 
-    /** Returns the class of Jason that [type] replaces; [type] itself if it replaces none. */
+    /** Returns the class of Jason that [type] replaces, or [type] itself if it replaces none. */
     fun typeOf(type: Class<*>): Class<*> = if (OfInfrastructure::class.java.isAssignableFrom(type)) type.superclass else type
 
     /** Returns true if a replay takes the recorded result of code of this [nature]. */

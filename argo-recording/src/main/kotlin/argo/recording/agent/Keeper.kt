@@ -15,13 +15,16 @@ internal interface Keeper {
     /** Begins a timer of the agent, which does [work] after [delayNs]. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
-    /** Takes [work] that another thread or the project's code leaves for the beginning of the agent's next cycle. Any thread may call. */
+    /**
+     * Takes [work] that another thread or the project's code leaves for the beginning of the agent's next cycle. Any thread may call this
+     * function.
+     */
     fun left(work: RunnableSerializable)
 
     companion object {
         private val CURRENT = ThreadLocal<Keeper?>()
 
-        /** The keeper of the agent whose cycle the calling thread carries out; null: the thread carries out no cycle. */
+        /** The keeper of the agent that reasons on the calling thread; null if the thread carries out no cycle. */
         var current: Keeper?
             get() = CURRENT.get()
             set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
@@ -34,7 +37,7 @@ internal interface Keeper {
             if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
-        /** Does [work] with [keeper] as the [current] keeper. Call this before the agent senses in a cycle. */
+        /** Does [work] with [keeper] as the [current] keeper. Used before the agent senses in a cycle. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
             val around = current
             current = keeper

@@ -2,13 +2,13 @@ package argo.recording.agent
 
 import jason.asSemantics.Agent
 
-/** Writes the content of a message as a text and reads it back, for programs that send agents' messages elsewhere. */
+/** Writes the content of a message as a text and reads it back. Programs that send agents' messages over other channels use it. */
 object MessageContent {
     /**
-     * Returns the text of [content]: a term, or a text that Jason reads when the agent takes the message. Namespaces, annotations, strings
-     * and numbers are kept.
+     * Returns the text of [content]: a term, or a text that Jason reads when the agent takes the message. The text keeps namespaces,
+     * annotations, strings and numbers.
      *
-     * @throws IllegalArgumentException if [content] has a part that no text can hold, such as a Java object; the message names that part
+     * @throws IllegalArgumentException if no text can contain a part of [content], such as a Java object; the message names this part
      */
     fun write(content: Any?): String {
         val text = contentText(content)
@@ -17,9 +17,9 @@ object MessageContent {
     }
 
     /**
-     * Returns the content that [write] has written as [text]. No text can make Java load or instantiate a class that the text names.
+     * Returns the content that [write] has written as [text]. A class that [text] names is never loaded or instantiated.
      *
-     * @param agent the agent whose functions the text may name
+     * @param agent the text may name functions of this agent
      * @throws IllegalArgumentException if [text] is no content, or names a function that [agent] lacks; the message says why
      */
     fun read(text: String, agent: Agent): Any = contentOf(text, agent)

@@ -24,7 +24,7 @@ internal class Mind(
     val pending: LinkedHashMap<String, Intention>,
     val pendingEvents: LinkedHashMap<String, Event>,
     val goalConditions: Int,
-    /** The event that was chosen last. A cycle without a choice keeps this event. */
+    /** The last chosen event. A cycle without a choice keeps this event. */
     val event: Event?,
     val plan: Plan?,
     val intention: Intention?,
@@ -32,9 +32,9 @@ internal class Mind(
     /** The intentions with a number, in the order of their [numbers]. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
-    /** The agent's plans; null: those of its program. */
+    /** The agent's plans; null if it has exactly those of its program. */
     val plans: ArrayList<Plan>?,
-    /** The rules that the agent has got at run time, by their places among its beliefs; null: none. */
+    /** The rules that the agent has got at run time, by their places among its beliefs; null if there are none. */
     val rules: HashMap<Int, Rule>? = null,
 ) : Serializable {
     private companion object {
@@ -45,7 +45,7 @@ internal class Mind(
 /**
  * A `.wait` of Jason.
  *
- * @property timer the number of the `.wait`'s timer; null: no timer is running
+ * @property timer the number of the `.wait`'s timer; null if no timer is running
  * @property isListening whether the `.wait` still waits; its timer may run on after the `.wait` has ended
  */
 internal class Wait(
@@ -74,12 +74,12 @@ internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Bool
 
 /**
  * Makes the described `.wait` for the agent of [ts], and begins its timer if it has one. Does not register the `.wait`, and clears the
- * agent's listeners. The caller then sets listeners and pending intentions.
+ * agent's listeners. The caller must then set listeners and pending intentions.
  */
 internal fun Wait.make(ts: TransitionSystem): CircumstanceListener {
     val before = intention.suspendedReason
     Insides.selectedIntention[ts.c] = intention
-    ts.c.listeners.clear() // so that no listener is notified of the new mind
+    ts.c.listeners.clear() // no listener must be notified of the new mind
     val made = WaitEvents.make(trigger, formula, un, ts, if (timer == null) -1L else 0L, elapsed)
     intention.suspendedReason = before
     WaitEvents.reason[made] = reason

@@ -27,6 +27,7 @@ private class AgentReference : Serializable
 
 /**
  * Returns [mind] in bytes, with references to the parts of [program].
+ *
  * @throws NotSerializableException if [mind] contains a Java object that cannot be written
  */
 internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
@@ -34,6 +35,7 @@ internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
 
 /**
  * Reads the mind that [bytesOf] wrote, for the agent of [code]. The mind's intentions get the plans of [program].
+ *
  * @throws java.io.IOException if [bytes] are something else, or come from another version of Jason
  */
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {
@@ -74,7 +76,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // elements of all arrays so far
-    private var replacement: Class<*>? = null // the class of the object that last replaced a reference; the filter sees it too
+    private var replacement: Class<*>? = null // class of the last object that replaced a reference; the filter also sees it
 
     init {
         enableResolveObject(true)
@@ -91,8 +93,8 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 
     /**
-     * Returns the reason to refuse an object; null: it is allowed. A stranger may have made the recording. So only terms and intentions are
-     * allowed, and no more of them than the bytes can describe.
+     * Returns the reason to refuse an object; null if it is allowed. Since the recording may come from an untrusted person, only terms and
+     * intentions are allowed, and no more than the bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"
@@ -119,10 +121,10 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
 
 internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
-/** The deepest nesting of objects. Each element of one of Jason's lists is nested within the element before it. */
+/** The deepest nesting of objects. Each element of a Jason list is nested within the element before it. */
 private const val MAX_DEPTH = 10_000L
 
-/** The most array elements for each byte. A hash table has up to eight slots for each entry. */
+/** The largest number of array elements for each byte. A hash table has up to eight slots for each entry. */
 private const val MAX_ELEMENTS_OF_BYTE = 16
 
 private val OWN = setOf(
@@ -138,7 +140,7 @@ private val ALLOWED_OF_JAVA = setOf(
     "java.lang.Double", "java.lang.Boolean", "java.lang.Number", "java.lang.Enum", "java.lang.Object",
 )
 
-/** Returns true if objects of [type] may occur in a recording: terms, and parts of intentions. */
+/** Returns true if objects of [type] may occur in a recording, since they are terms or parts of intentions. */
 private fun isAllowed(type: Class<*>): Boolean = when {
     type.isPrimitive -> true
     type.isArray -> isAllowed(type.componentType)

@@ -38,7 +38,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     }
 
     private companion object {
-        /** The prefix of Jason's own classes, which log by the same logger as the agent's plans. */
+        /** The prefix of Jason's own classes, which use the logger of the agent's plans. */
         val JASON: String = TransitionSystem::class.java.packageName + "."
     }
 }

@@ -9,9 +9,11 @@ import jason.asSyntax.parser.as2jConstants
 import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
-/** The names of files, classes and directives in the [text] of a program. Splits the text into Jason's own tokens. Executes none of it. */
+/** The names of files, classes and directives in the [text] of a program. Splits the text into Jason's tokens, and executes none of it. */
 internal class ProgramNames(text: String) {
-    /** A file that a program includes, by its name in the text. For a file in a block `{ begin … }` Jason looks only in the source path. */
+    /**
+     * A file that a program includes, by its name in the text. For a file in a block `{ begin … }`, Jason searches only the source path.
+     */
     data class Included(val name: String, val isInBlock: Boolean)
 
     private val tokens = tokensOf(text)

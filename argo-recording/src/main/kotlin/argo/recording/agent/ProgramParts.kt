@@ -8,7 +8,7 @@ import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
 /**
- * Numbers the plans, steps and rules in the program of [agent]. The same program always gives the same numbers. Make this object before the
+ * Numbers the plans, steps and rules in the program of [agent]. A program gets equal numbers at each reading. Make this object before the
  * agent's first cycle, since the agent may get other plans and rules later.
  */
 internal class ProgramParts(val agent: Agent) {
@@ -28,7 +28,7 @@ internal class ProgramParts(val agent: Agent) {
 
     val size: Int get() = parts.size
 
-    /** Forgets the plans whose lines a reload has changed. These plans are then no parts of the program. */
+    /** Removes plans from the program's parts if a reload has changed their lines. */
     fun forgetMoved() = plans.indices.filter { plans[it].srcInfo !== places[it] }.forEach { forget(plans[it]) }
 
     private fun forget(plan: Plan) {

@@ -33,11 +33,11 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the term that [TermWriter] wrote as [text]. Leaves Jason's counters unchanged. [agent] is the agent whose functions the text may
- * name; null: only Jason's own functions.
+ * Reads the term that [TermWriter] wrote as [text]. Leaves Jason's counters unchanged. The text may name functions of [agent]; if [agent]
+ * is null, only Jason's own functions.
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
-    /** The text does not come from [TermWriter]. */
+    /** Reports that the text does not come from [TermWriter]. */
     class Unreadable : Exception()
 
     private var at = 0
@@ -367,7 +367,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return steps.first()
     }
 
-    /** Jason takes the place of a copied step from its term, and the place of a copied comparison or sum from its operands. */
+    /** Copies of steps, comparisons and sums get their places from their terms. So gives [place] to the terms. */
     private fun stand(term: Term, place: SourceInfo) {
         if (term.srcInfo == null) term.srcInfo = place
         if (term is BinaryStructure || term is ArithExpr) term.terms.forEach { stand(it, place) }

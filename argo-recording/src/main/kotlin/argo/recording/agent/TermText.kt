@@ -10,10 +10,10 @@ import jason.asSyntax.Trigger
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
-/** Returns the text of [term] in a recording. [termOf] reads it back to the same term; see [TermWriter]. */
+/** Returns the text of [term] in a recording. [termOf] reads an equal term from it, see [TermWriter]. */
 internal fun textOf(term: Term): String = TermWriter().text(term)
 
-/** Returns the text of [literal] for a field that holds only literals, such as percepts or beliefs. */
+/** Returns the text of [literal] for a field that contains only literals, such as percepts or beliefs. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
 internal fun triggerText(trigger: Trigger): String =
@@ -33,13 +33,13 @@ internal fun contentOf(text: String, agent: Agent): Any =
 
 private const val TEXT = "#text("
 
-/** The trigger type of signals, which Jason 3.2.1 lacks. In the notation of triggers a signal would read as a belief. */
+/** The trigger type of signals, which Jason 3.2.1 lacks. In the notation of triggers, a signal would look like a belief. */
 private const val SIGNAL = "signal"
 
 /**
  * Returns the term that [textOf] wrote as [text].
  *
- * @param agent the agent whose functions the term may contain; null: only Jason's own functions
+ * @param agent the term may contain functions of this agent; if null, only Jason's own functions
  * @throws UnrecordableTerm if [textOf] could not write the term
  * @throws IllegalArgumentException if [text] is not the text of a term
  */

@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes a term so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
- * In Jason's notation no term begins with `#`.
+ * Writes a term so that [TermReader] can read it back. Uses Jason's notation if it has only one meaning, else `#kind(…)`. In Jason's
+ * notation no term begins with `#`.
  *
  * | written | is |
  * |---|---|
@@ -115,7 +115,7 @@ internal class TermWriter {
         },
     )
 
-    /** Writes a string. Jason's notation cannot hold every string: Jason resolves some escapes, and drops some characters. */
+    /** Writes a string. Jason's notation cannot express every string, since Jason resolves some escapes and drops some characters. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }
@@ -163,7 +163,6 @@ internal class TermWriter {
         }
     }
 
-    /** Returns true if [literal] is a single word: an atom, or a literal without arguments. */
     private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) &&
         !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() && literal.ns == Literal.DefaultNS
 
@@ -253,7 +252,7 @@ internal class TermWriter {
             Pred.createSource(Atom("self")).javaClass, // the class of an annotation that Jason never copies
         )
 
-        /** Doubles can hold each whole number below this one. */
+        /** Doubles can express each smaller whole number. */
         private const val LARGEST_WHOLE = 1e15
         private const val REFUSED = "#refused("
         private val VARIABLE = Regex("""\p{Lu}[\p{L}\p{N}_]*""")
@@ -263,7 +262,7 @@ internal class TermWriter {
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
 
-        /** Words with a meaning of their own: they are no functors. */
+        /** Words with a special meaning, which are not functors. */
         val RESERVED = setOf("true", "false", "default", "not")
 
         /** Returns true if [functor] needs no quotes. */
@@ -276,7 +275,7 @@ internal class TermWriter {
 
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** Returns [text] in quotes. The result has no surrogates and no control characters, so every encoding of Unicode can hold it. */
+        /** Returns [text] in quotes. The result has no surrogates and no control characters, so each encoding of Unicode can express it. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {
@@ -290,5 +289,5 @@ internal class TermWriter {
     }
 }
 
-/** A recording cannot contain a term; [message] describes the term. */
+/** Reports that a recording cannot contain a term. [message] describes the term. */
 internal class UnrecordableTerm(override val message: String) : IllegalArgumentException(message)

@@ -16,7 +16,7 @@ internal sealed interface Watched : Serializable {
     val code: Any
 }
 
-/** Wraps the internal action [code], whose name in the program is [name]. Asks the agent's watch about each call. */
+/** Wraps the internal action [code], which the program calls [name]. Asks the agent's watch about each call. */
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
@@ -25,7 +25,7 @@ internal class WatchedAction(private val name: String, override val code: Intern
     private fun writeReplace(): Any =
         if (code is OfInfrastructure) JasonCode.typeOf(code.javaClass).getConstructor().newInstance() else code
 
-    /** Suspends the intention if the watch suspends the call. A replay does so if the recorded intention waited for other computers. */
+    /** Suspends the intention if the watch suspends the call. A replay suspends it if the recorded intention waited for other computers. */
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         isWaiting = false
         val call = InternalCall(name, args, un) {
@@ -46,8 +46,8 @@ internal class WatchedAction(private val name: String, override val code: Intern
 }
 
 /**
- * Wraps `.random`, and passes calls to [watched]. This class extends Jason's class, since `.set_random_seed` casts to Jason's class and
- * takes its generator.
+ * Wraps `.random`, and passes calls to [watched]. Extends Jason's class, since `.set_random_seed` casts to Jason's class and takes its
+ * generator.
  */
 internal class WatchedRandom(override val code: random, private val watched: WatchedAction) : random(), Watched {
     private fun writeReplace(): Any = code
@@ -57,7 +57,7 @@ internal class WatchedRandom(override val code: random, private val watched: Wat
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = watched.execute(ts, un, args)
 }
 
-/** Wraps the function [code]. Asks the calling agent's watch about each call; asks [watch] if that agent has none. */
+/** Wraps the function [code]. Asks the calling agent's watch about each call. If that agent has no watch, asks [watch]. */
 internal class WatchedFunction(override val code: ArithFunction, val watch: CallWatch) : ArithFunction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
 
@@ -74,8 +74,8 @@ internal object NobodyWatches : CallWatch {
 }
 
 /**
- * Returns the calling agent's watch; [own] if that agent has none. The calling agent may have got the code from another agent, in a plan
- * that the other agent told it.
+ * Returns the calling agent's watch. If that agent has no watch, returns [own]. The calling agent may have got the code in a plan that
+ * another agent sent.
  */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 

@@ -24,37 +24,37 @@ import jason.stdlib.random
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** The owner of an internal action. */
 internal enum class WatchedKind(val isOfProject: Boolean) {
-    /** Jason or ARGO owns the action, whose results come from outside. */
+    /** Jason or ARGO owns the action, which takes its results from outside of the agent. */
     OUTSIDE(false),
 
-    /** Jason owns the action; see [Nature.SENDING]. */
+    /** Jason owns the action, see [Nature.SENDING]. */
     SENDING(false),
 
     PROJECT(true),
 
-    /** The project owns the action. After such a call the intention waits for another thread. */
+    /** The project owns the action. After a call of it, the intention waits for another thread. */
     SUSPENDING(true),
 }
 
-/** Decides on each call of code whose results do not follow from the program. Belongs to the agent's thread. */
+/** Decides on each call of code with results that do not follow from the program. Only for the agent's thread. */
 internal interface CallWatch {
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** The program has an action or function of Jason that is not in the table [JasonCode]; the message names it. */
+/** Reports that the program has an action or function of Jason that is not in the table [JasonCode]. The message names it. */
 internal class UnknownCodeException(name: String) :
     Exception(
         "the program uses $name; this version of ARGO does not know whether that reads or changes anything outside of the agent",
     )
 
 /**
- * Makes this object the keeper and the watch of the agent of [ts]. This object then gets the operations that the agent begins outside of
- * its thread, and decides on the agent's calls. Returns the agent's watched code.
- * @throws UnknownCodeException if the program has code that cannot be watched; this object is then not the agent's keeper
+ * Makes this object the keeper and the watch of the agent of [ts]. From now on this object gets the operations that the agent begins
+ * outside of its thread, and decides on the agent's calls. Returns the agent's watched code.
+ *
+ * @throws UnknownCodeException if the program has code that cannot be watched; this object does not become the keeper
  */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
     val code = WatchedCode(ts, this).apply { begin() }
@@ -65,12 +65,12 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of those internal actions and functions that read or change anything outside of the agent. These are the
- * project's own, and those of Jason that the table [JasonCode] lists as inputs or effects. Jason looks an action up when it reads a
- * program, so this class changes the program's own terms.
+ * Asks [watch] about each call of an internal action or function that reads or changes anything outside of the agent. Asks about the
+ * project's own code, and about the code of Jason that the table [JasonCode] lists as inputs or effects. Jason looks an action up when it
+ * reads a program, so this class changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // objects that the running visit has seen
+    private var seen = identities() // objects that the current visit has seen
     private val actions = HashMap<String, InternalAction>()
     private var plans: List<Plan> = emptyList() // visited plans
     private var isStale = false
@@ -78,7 +78,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     val agent: Agent get() = ts.ag
 
-    /** Watches the agent's present plans and rules, and all code that the agent looks up later. */
+    /** Watches the agent's current plans and rules, and all code that the agent looks up later. */
     fun begin() {
         visitAll()
         ts.c.events.forEach { visit(it.trigger.literal as Any) } // the program's goals; Jason evaluates their arguments later
@@ -102,7 +102,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     /**
-     * Notes that the agent includes a file. Jason then looks up the actions of all plans of the agent anew, even if the file has only
+     * Notes that the agent includes a file. Jason then looks up the actions of all plans of the agent again, even if the file has only
      * beliefs and rules.
      */
     fun included() {
@@ -110,7 +110,9 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     /**
-     * Watches the plans that the agent has got from messages or included files since the last call. Jason has looked up their actions anew.
+     * Watches the plans that the agent has got from messages or included files since the last call. Jason has looked up their actions
+     * again.
+     *
      * @throws UnknownCodeException if the agent has code that cannot be watched
      */
     fun watchAdded() {
@@ -128,21 +130,23 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         isStale = false
     }
 
-    /** Returns [action], whose name in the program is [name], in its watched form if it must be watched. */
+    /** Returns [action], which the program calls [name]. If the action must be watched, returns its watched form. */
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
     fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
-     * Returns the program's action of the class called [type], in the form of [watched].
-     * @throws ReflectiveOperationException if there is no such action
+     * Returns the program's action of the class called [type]. If the action must be watched, returns its watched form.
+     *
+     * @throws ReflectiveOperationException if the program has no action of this class
      */
     fun action(type: String): InternalAction = watched(type, ts.ag.getIA(type))
 
     /**
-     * Returns the program's function [name], in the form of [watched].
-     * @throws IllegalArgumentException if the program has no such function
+     * Returns the program's function [name]. If the function must be watched, returns its watched form.
+     *
+     * @throws IllegalArgumentException if the program has no function of this name
      */
     fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }?.let(::watched)
         ?: throw IllegalArgumentException("there is no function $name")
@@ -179,7 +183,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         if (literal.hasAnnot()) literal.annots.forEach { visit(it as Any?) }
     }
 
-    /** Returns the action that [term] calls; null: there is none, and Jason reports that when the agent calls it. */
+    /** Returns the action that [term] calls; null if there is none. Jason reports a missing action when the agent calls it. */
     private fun actionOf(term: InternalActionLiteral): InternalAction? = try {
         term.getIA(ts.ag)
     } catch (_: ReflectiveOperationException) {
@@ -202,8 +206,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
         /**
-         * Returns [action], which the program calls [name]. If the action must be watched, the result is a wrapper that asks [watch]
-         * about each call.
+         * Returns [action], which the program calls [name]. If the action must be watched, returns a wrapper that asks [watch] about each
+         * call.
          */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
@@ -220,7 +224,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must be replaced by a watched form. This includes unknown code, so that no replay carries it out. */
+        /** Returns true if [code] must be replaced by a watched form. Unknown code is also replaced, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) || code is OfInfrastructure -> true

@@ -20,7 +20,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Collects an agent's input in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores the cycle. */
+/** Collects an agent's input in a cycle. Only for the agent's thread and, after the cycle, for the thread that stores the cycle. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
@@ -38,20 +38,20 @@ internal class CycleNotes(val ns: Long) {
     var isHeld = false
     var orders: List<GivenOrder> = emptyList()
 
-    /** The reason why no replay can repeat this cycle; null: none is known. */
+    /** The reason why no replay can repeat this cycle; null if none is known. */
     var refusal: Refusal? = null
         private set
 
     var underWay: CallNote? = null
 
-    /** True if the cycle begins with work from earlier cycles. Only this field shows work that merely removes an ended intention. */
+    /** True if the cycle begins with work from earlier cycles. If work only removes an ended intention, no other field shows it. */
     var isAtWork = false
 
     var isSending = false
 
     /**
-     * Notes that no replay can repeat this cycle, because of [why]. If [isOfProject], a replay can repeat the cycle by carrying out the
-     * project's code.
+     * Notes that no replay can repeat this cycle, because of [why]. If [isOfProject] is true, a replay that carries out the project's code
+     * can repeat the cycle.
      */
     fun refuse(why: String, isOfProject: Boolean = true) {
         val known = refusal
@@ -63,14 +63,16 @@ internal class CycleNotes(val ns: Long) {
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
         filters.isEmpty() && orders.isEmpty() && !isChangedOutside && !isHeld && refusal == null
 
-    /** Returns the agent's input. Call this after the cycle. */
+    /** Returns the agent's input. Call this function after the cycle. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, critical,
         mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders, isHeld,
     )
 }
 
-/** The change from the previous percepts, see [PerceptChange]. Jason believes copies of the literals, which have the same sets and maps. */
+/**
+ * The change from the previous percepts, see [PerceptChange]. Jason believes copies of the literals, which share sets and maps with them.
+ */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     private val texts = laterText(now) { now.map(::literalText) }
 
@@ -97,8 +99,8 @@ internal class CycleNote(
 }
 
 /**
- * A call whose result becomes known later than the call, perhaps in parts during the cycle. [args] are the arguments of the action or
- * function; Jason has copied them, but the project's code may change them.
+ * A call with a result that becomes known later, perhaps in parts during the cycle. [args] are the arguments of the action or function.
+ * Jason has copied them, but the project's code may change them.
  */
 internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }

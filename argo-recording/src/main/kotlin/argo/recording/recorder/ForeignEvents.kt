@@ -10,8 +10,9 @@ import java.util.IdentityHashMap
 /**
  * Collects the events that other threads put into an agent's queue at any time. Safe for use by several threads.
  *
- * Jason puts an event into the queue before it tells its listeners. So the agent may select another thread's event before this class learns
- * of the event. Therefore this class also notes the agent's own events: a selected event that is not noted comes from another thread.
+ * Jason puts an event into the queue before it tells its listeners. The agent may then select another thread's event before this class
+ * learns of the event. Therefore this class also notes the agent's own events. If a selected event is not noted, it comes from another
+ * thread.
  *
  * @param waiting returns the events that wait in the agent; those that wait at the beginning count as the agent's own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
@@ -37,7 +38,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
 
     val size: Int @Synchronized get() = added.size
 
-    /** Returns true if a collected event is the addition of a belief in [beliefs]. If so, the other thread has added that belief, too. */
+    /** Returns true if another thread has added a belief: a collected event is the addition of a belief in [beliefs]. */
     @Synchronized
     fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
 

@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle, if it can describe all that the
- * agent is doing then. Make this object before the agent's first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle, if it can describe all current
+ * activities of the agent. Make this object before the agent's first cycle. Only for the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
@@ -65,7 +65,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     }
 
     /**
-     * Returns a key frame at the end of [cycle]; null: none is due. Another thread makes the key frame's texts. If a due key frame cannot
+     * Returns a key frame at the end of [cycle]; null if none is due. Another thread makes the key frame's texts. If a due key frame cannot
      * be made, returns a key frame with only the reason, once in each interval.
      *
      * @param begun the number of operations that the agent has begun outside of its thread
@@ -84,7 +84,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             "this version of Jason has other fields ($other)"
         } catch (_: StackOverflowError) { // Java writes each element of a list within the one before
             "a list in an intention was too long"
-        } catch (other: RuntimeException) { // a thread of the project may change the agent meanwhile; the agent must go on
+        } catch (other: RuntimeException) { // a thread of the project may change the agent; the agent must continue
             "the agent was being changed ($other)"
         }
         if (cycle.ns < missingNs) return null
@@ -103,7 +103,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** Describes an intention that waits for something that no key frame can contain; null: there is none. */
+    /** Describes an intention with a wait that no key frame can contain; null if there is none. */
     private fun waitingIntention(open: Set<Int>): String? {
         val waiting = ts.c.listeners.filter(WaitEvents::isWait).mapTo(HashSet()) { WaitEvents.intention[it] }
         return ts.c.pendingIntentions.entries.firstNotNullOfOrNull { (key, intention) ->

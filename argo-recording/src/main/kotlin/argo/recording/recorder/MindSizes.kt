@@ -4,7 +4,9 @@ import argo.insides.Insides
 import argo.platform.Plans
 import jason.asSemantics.TransitionSystem
 
-/** The numbers of an agent's beliefs, events, intentions, plans and messages. Code that changes a number does more than return a result. */
+/**
+ * The numbers of an agent's beliefs, events, intentions, plans and messages. If code changes a number, it does more than return a result.
+ */
 internal data class MindSizes(val beliefs: Int, val events: Int, val running: Int, val pending: Int, val plans: Int, val mail: Int) {
     companion object {
         fun of(ts: TransitionSystem): MindSizes = ts.c.run {

@@ -7,9 +7,9 @@ import argo.recording.storage.RecordChannel
 import java.util.concurrent.TimeUnit
 
 /**
- * Makes messages of the numbers in percepts, for programs that plot: `dist(front,38)` of the agent `driver` becomes `{"value":38}` in the
- * topic `/driver/percept/dist/front` when the number changes. If it changes several times within [LEAST_NS], only the last change counts.
- * For the thread that stores records.
+ * Makes messages of the numbers in percepts, for programs that plot. If the number in `dist(front,38)` of the agent `driver` changes, this
+ * class puts the message `{"value":38}` into the topic `/driver/percept/dist/front`. If the number changes several times within [LEAST_NS],
+ * only the last change counts. For the thread that stores records.
  *
  * @param channel returns the channel for a topic and its schema
  * @param warn takes a sentence if there are more than [MAX_CHANNELS] topics
@@ -25,7 +25,7 @@ internal class PerceptNumbers(
     }
 
     private val courses = HashMap<String, Course>()
-    private val indexed = HashSet<String>() // topics that several percepts of one message share; their first numbers tell them apart
+    private val indexed = HashSet<String>() // topics that several percepts of one message share; their first numbers distinguish them
     private val held = LinkedHashMap<Course, Encoded>() // changes that wait, since they came soon after others
     private var hasWarned = false
 

@@ -19,8 +19,10 @@ import kotlinx.serialization.json.Json
 import java.io.IOException
 
 /**
- * Stores the program of the agent of [ts] and the files that it includes, the agent's options, and the versions of ARGO, Jason and Java.
- * @throws IOException if the program cannot be read, or can be read only by the project's code
+ * Stores the program of the agent of [ts], with its included files and the agent's options. Also stores the versions of ARGO, Jason and
+ * Java.
+ *
+ * @throws IOException if the program cannot be read, or if only the project's code can read it
  */
 internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
     val name = ts.agArch.agName
@@ -56,7 +58,7 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
     return program
 }
 
-/** Returns the [settings] that an infrastructure may change without an option: an execution control, for example, makes agents wait. */
+/** Returns those [settings] that an infrastructure may change without an option. For example, an execution control makes agents wait. */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
     "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",

@@ -73,7 +73,7 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** The end of an operation, which waits for the next cycle. If another thread left the operation, [work] does it. */
+    /** The end of an operation, which waits for the next cycle. If another thread left the operation, [work] carries it out. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
@@ -90,7 +90,7 @@ internal class Recorder(
     private var inCycle: Thread? = null
 
     @Volatile
-    private var unstored: Thread? = null // the thread whose cycle the track has not received yet
+    private var unstored: Thread? = null // the thread of a cycle that the track has not received yet
 
     @Volatile
     private var isStopped = false
@@ -102,12 +102,12 @@ internal class Recorder(
         var counters: List<Int> = emptyList()
         val events = ForeignEvents({ ts.c.events + listOfNotNull(Insides.atomicEvent[ts.c]) }) { inCycle === Thread.currentThread() }
             .also(ts.c::addEventListener)
-        var isLast = false // whether the recording ends with the present cycle
+        var isLast = false // whether the recording ends with the current cycle
         var beliefs = -1
         var cycles = 0L
-        var number = 0 // Jason's number of the present cycle
+        var number = 0 // Jason's number of the current cycle
         var overlap = 0L
-        lateinit var now: CycleNotes // notes of the present cycle
+        lateinit var now: CycleNotes // notes of the current cycle
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
@@ -139,7 +139,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. The rest of that cycle is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. The rest of the cycle is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -164,8 +164,8 @@ internal class Recorder(
     }
 
     /**
-     * Refuses the cycle if a thread of the project has changed the agent's beliefs. The thread may have added events, since a replay has
-     * all events.
+     * Refuses the cycle if a thread of the project has changed the agent's beliefs. Events of another thread are no obstacle, since a
+     * replay has all events.
      */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
@@ -174,8 +174,8 @@ internal class Recorder(
     }
 
     /**
-     * Carries out the arrived ends of operations, before Jason begins the cycle. An intention that an end resumes goes on in the same
-     * cycle, as it would without a recording.
+     * Carries out the arrived ends of operations, before Jason begins the cycle. If an end resumes an intention, the intention continues in
+     * this cycle, as it would without a recording.
      */
     private fun carryOutEnds(agent: Running) {
         if (inbox.isEmpty()) return
@@ -197,7 +197,7 @@ internal class Recorder(
         else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
     }
 
-    /** Does the project's [work]. If the work changes the agent, refuses the cycle with [why], since a replay does not do the work. */
+    /** Does the project's [work]. If the work changes the agent, refuses the cycle with [why], since a replay does not repeat the work. */
     private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
         if (isRefused) return work()
         val before = MindSizes.of(agent.ts)
@@ -300,7 +300,9 @@ internal class Recorder(
         return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
     }
 
-    /** Refuses the cycle if an action of the project is under way, which a replay does not carry out. [does] is what the action does. */
+    /**
+     * Refuses the cycle if an action of the project is under way, since a replay does not carry it out. [does] is the effect of the action.
+     */
     private fun refuseIfOfProject(agent: Running, does: String) {
         val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
         agent.now.refuse("the project's action ${call.name} $does besides its result")
@@ -325,7 +327,7 @@ internal class Recorder(
         val note = CallNote(name, args, isOfProject)
         try {
             return live().also { note.value = "$it" }
-        } catch (failed: Exception) { // Jason reports the failure, and goes on
+        } catch (failed: Exception) { // Jason reports the failure and continues
             note.failure = evaluationFailure(failed)
             throw failed
         } finally {
@@ -346,7 +348,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. In a replay Jason's own classes leave the same work, except the end of an action of the project. */
+    /** Takes [work]. In a replay Jason's own classes leave this work again, except the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -373,7 +375,7 @@ internal class Recorder(
         if (agent == null || agent.now.isSending) return live() // an infrastructure may split a broadcast into single messages
         refuseIfOfProject(agent, "sends a message")
         agent.now.isSending = true
-        val mail = mailOf(message) // noted first, since the receiver's thread may change the same terms
+        val mail = mailOf(message) // noted first, since the receiver's thread may change the terms
         try {
             live()
             agent.course.sent(mail.copy(sender = message.sender))
@@ -431,14 +433,14 @@ internal class Recorder(
         if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
-    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must contain them. */
+    /** Returns the counters that a replay has after this cycle. An empty list means that the next recorded cycle must contain them. */
     private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
         !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
         Counters.isAt(agent.counters) -> agent.counters
         else -> if (isRecorded) Counters.read() else emptyList()
     }
 
-    /** Notes the counters as they were before this agent took its own numbers: other agents have taken numbers in this cycle, too. */
+    /** Notes the counters as they were before this agent took its own numbers. Other agents have also taken numbers in this cycle. */
     private fun noteCounters(agent: Running, message: String?) {
         val start = agent.counters
         val c = agent.ts.c
@@ -452,7 +454,7 @@ internal class Recorder(
         if (agent.events.size > 0 || works.get() > 0) return // waiting events and work belong to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
-        if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay that begins there
+        if (note.isThere) agent.counters = emptyList() // the next cycle then contains all counters, for a replay that begins with it
     }
 
     private fun current() = if (inCycle === Thread.currentThread()) running else null
@@ -499,7 +501,9 @@ internal class Recorder(
         return true
     }
 
-    /** Leaves the recording. If the agent is stopped in the middle of a cycle, its thread leaves the recording after that cycle. */
+    /**
+     * Ends this agent's part of the recording. During a cycle of the agent, waits for the cycle's end: the agent's thread ends the part.
+     */
     override fun close() {
         isStopped = true
         if (unstored?.isAlive == true) return

@@ -7,7 +7,7 @@ import java.io.IOException
 import java.nio.file.InvalidPathException
 import java.util.logging.Logger
 
-/** Records agents with the option `argo_record`. Agents with the same value share one recording. */
+/** Records agents with the option `argo_record`. Agents with equal values share one recording. */
 class RecorderProvider : AgentObserverProvider {
     override val option = "argo_record"
     override val usage = "a file such as \"drive.mcap\", or \"last(5)\" for the last five minutes"

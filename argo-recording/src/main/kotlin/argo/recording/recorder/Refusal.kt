@@ -12,8 +12,8 @@ import jason.infra.local.LocalAgArchAsynchronous
 import jason.util.Config
 
 /**
- * Returns why the classes and plans of the agent of [ts] cannot be recorded, in words; null: they can. [StoredProgram] refuses directives
- * of the project, and [WatchedCode][argo.recording.agent.WatchedCode] unknown internal actions.
+ * Returns the reason, in words, why the classes and plans of the agent of [ts] cannot be recorded; null if they can. [StoredProgram]
+ * refuses directives of the project. [WatchedCode][argo.recording.agent.WatchedCode] refuses unknown internal actions.
  */
 internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
@@ -29,14 +29,14 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     }
 }
 
-/** Returns true if the calling thread is cloning an agent. Only the call stack shows that; the clone does not. */
+/** Returns true if the calling thread is cloning an agent. Looks at the call stack, since a clone looks like any other agent. */
 private fun isCloned() = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).walk { frames ->
     frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
 }
 
 private const val OF_CLONES = "(Ljava/util/List;Ljason/asSemantics/Agent;)V"
 
-/** Returns why the agent of [ts] cannot be recorded, in words; null: it can. */
+/** Returns the reason, in words, why the agent of [ts] cannot be recorded; null if it can. */
 internal fun refusal(ts: TransitionSystem): String? {
     val architectures = generateSequence(ts.agArch) { it.nextAgArch }.toList()
     val infrastructure = architectures.last()

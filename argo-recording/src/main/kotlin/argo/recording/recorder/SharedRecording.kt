@@ -12,19 +12,19 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 import java.util.logging.Logger
 
-/** The recording of all agents of a program with the same option. Safe for use by several threads. */
+/** The recording of all agents of a program with one value of the option. Safe for use by several threads. */
 internal class SharedRecording private constructor(val sink: RecordSink, private val key: String, private val log: Logger) {
     private var agents = 0
 
     /**
-     * Closes the recording's file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring, which keeps the last
-     * minutes in memory, is written only on request.
+     * Closes the recording's file when Java ends, so that the last part is not missing after Ctrl-C. A ring, which keeps the last minutes
+     * in memory, is written only on request.
      */
     private val farewell = (sink as? RecordingFile)?.let { file ->
         Farewell(MAX_FAREWELL_MS, "argo_record: the program has ended before all that was recorded was in ${file.path}", say = file::close)
     }
 
-    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing if the recording is in a file. */
+    /** Writes a ring to a file in [folder], on a separate thread. Does nothing if the recording is in a file. */
     fun save(folder: Path = Path.of("")) {
         val ring = sink as? RecordingRing ?: return
         Thread({
@@ -53,7 +53,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }
     }
 
-    /** Removes an agent that ends. With the last agent the recording is closed. */
+    /** Removes an agent that ends. Closes the recording with its last agent. */
     fun leave() = synchronized(OPEN) {
         if (--agents == 0) {
             OPEN -= key
@@ -72,6 +72,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
 
         /**
          * Adds an agent to the recording for the option's [value], which names a file or the last minutes. Returns the recording.
+         *
          * @throws IOException if the file cannot be made
          */
         fun join(value: String, log: Logger): SharedRecording = synchronized(OPEN) {

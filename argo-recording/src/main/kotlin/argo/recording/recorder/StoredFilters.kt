@@ -15,7 +15,7 @@ internal class StoredFilters(private val agent: String, private val attach: (nam
         name
     }
 
-    /** Returns possible names of the attachment. A filter whose file has changed is another filter with the same name. */
+    /** Returns possible names of the attachment. If the file of a filter changes, the changed filter gets another attachment. */
     private fun names(filter: String) =
         sequenceOf(filterName(agent, filter)) + generateSequence(2) { it + 1 }.map { filterName(agent, "$filter-$it") }
 }

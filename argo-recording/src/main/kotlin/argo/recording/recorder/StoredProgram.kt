@@ -11,8 +11,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Stores the program of [agent] in its recording: the file [main], and the files that it includes, found as Jason finds them. For the
- * agent's thread.
+ * Stores the program of [agent] in its recording: the file [main], and the files that it includes. Finds included files where Jason finds
+ * them. For the agent's thread.
  *
  * @throws IOException if the project's code reads the program
  */
@@ -46,8 +46,8 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     }
 
     /**
-     * Stores the file called [name] that the agent includes at run time, found as Jason will find it. [within] is the name of the including
-     * file [outer] by [KeptInclude.placeOf].
+     * Stores the file called [name] that the agent includes at run time. Finds it where Jason will find it. [within] is the name of the
+     * including file [outer] by [KeptInclude.placeOf].
      */
     fun include(name: String, outer: String?, within: String) =
         store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
@@ -74,10 +74,10 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
-/** Returns why no replay can read the program with [names]: the project's code reads a directive. Null: a replay can read the program. */
+/** If the project's code reads a directive in [names], returns the reason why no replay can read the program. Else returns null. */
 internal fun foreignDirective(names: ProgramNames): String? =
     (names.directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
-        val type = Insides.directiveClasses[null][directive] // null: the term only looks like a directive
+        val type = Insides.directiveClasses[null][directive] // null if the term only looks like a directive
         type?.let { "the project's class ${it.name} reads its directive $directive" }
     }
 

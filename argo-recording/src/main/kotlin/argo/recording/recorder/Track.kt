@@ -24,7 +24,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Writes the part of [recording] about the agent called [agent]. Any thread may call. The thread that stores the records makes their texts.
+ * Writes the part of [recording] about the agent called [agent]. Any thread may call the functions. The thread that stores the records
+ * makes their texts.
  */
 internal class Track(
     override val agent: String,
@@ -41,7 +42,7 @@ internal class Track(
     private val numbers = PerceptNumbers(agent, sink::channel) { warn("argo_record: $it") }
     private val isClosed = AtomicBoolean()
 
-    /** The reasons of reported refusals. If several refusals are caused by the project's code, only the first is reported. */
+    /** The reasons of reported refusals. Of the refusals that the project's code causes, only the first is reported. */
     val told: MutableSet<String> = ConcurrentHashMap.newKeySet()
     private val isProjectTold = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
@@ -64,7 +65,7 @@ internal class Track(
         json(Cycle.serializer(), cycle.copy(refusal = refusal).lean())
     }
 
-    /** Returns the refusal of the first term of [input] that could not be written; null: all terms could be written. */
+    /** Returns the refusal of the first term of [input] that could not be written; null if all terms could be written. */
     private fun refusalOfTerms(input: Input): Refusal? = input.texts().find(TermWriter::isRefused)
         ?.let { Refusal("agent $agent got ${TermWriter.refusalOf(it)}, which a recording cannot hold") }
 
@@ -81,7 +82,9 @@ internal class Track(
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
-    /** Marks this point, at which the agent wants the recording saved because of [why]. Lets another thread save a ring. */
+    /**
+     * Marks this point, at which the agent wants the recording saved because of [why]. If the recording is a ring, another thread saves it.
+     */
     fun save(why: String, ns: Long) {
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
@@ -105,7 +108,6 @@ internal class Track(
 
     private fun <T> json(serializer: KSerializer<T>, value: T) = JSON.encodeToString(serializer, value).encodeToByteArray()
 
-    /** The approximate size of the texts of this cycle. */
     private val CycleNote.bytes get() = CYCLE_BYTES + percepts * PERCEPT_BYTES
 
     private companion object {

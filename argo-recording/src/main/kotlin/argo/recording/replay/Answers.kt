@@ -22,23 +22,26 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers an agent's questions in a replay, and ends the operations that the agent begins outside of its thread. Belongs to one agent, and
- * to its thread; only [left] may be called on any thread.
+ * Answers an agent's questions in a replay, and ends the operations that the agent begins outside of its thread. Each agent has its own
+ * answers. Only [left] may be called on any thread, all other functions on the agent's thread.
  */
 internal interface Answers {
     /** True if the agent has repeated each step of the recording so far. */
     val isAsRecorded: Boolean get() = true
 
-    /** True if the agent has the recorded program, so that it follows recorded reloads. */
+    /** True if the agent has the recorded program, and so follows recorded reloads. */
     val isOfRecordedProgram: Boolean get() = true
 
-    /** The recorded call that waits for an outcome, in words; empty: it is not known. */
+    /** The recorded call that waits for an outcome, in words; empty if it is not known. */
     val suspending: String get() = ""
 
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. [timers] has the running timers, by number. */
+    /**
+     * Begins the agent of [inputs] at [start]. If [start] is null, begins at the beginning of its program. [timers] has the running timers,
+     * by number.
+     */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
     fun next(cycle: Cycle)
@@ -53,16 +56,16 @@ internal interface Answers {
 
     fun begun(work: BegunWork)
 
-    /** Takes [work] that another thread leaves for the agent's next cycle. Any thread may call. */
+    /** Takes [work] that another thread leaves for the agent's next cycle. Any thread may call this function. */
     fun left(work: Runnable)
 
-    /** Returns the recorded message that corresponds to [mail], a message that the agent sends; null: none. */
+    /** Returns the recorded message that corresponds to the agent's message [mail]; null if there is none. */
     fun sent(mail: Mail): Mail?
 
-    /** Notes that the text recorded for [what] is refused, since it replaces a term that no recording can contain. */
+    /** Notes that the text recorded for [what] is refused. It replaces a term that no recording can contain. */
     fun refused(what: String, why: UnrecordableTerm)
 
-    /** Call this at the end of the cycle. */
+    /** Called at the end of the cycle. */
     fun cycleFinished() = Unit
 }
 
@@ -93,7 +96,7 @@ internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf
 
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
-/** Returns the recorded value of the called function, or throws the recorded failure; null: the agent called an action. */
+/** Returns the recorded value of the called function, or throws the recorded failure. Returns null if the agent called an action. */
 internal fun Call.valueOrFailure(): Double? {
     failure?.let { throw evaluationFailed(it) }
     return value?.toDouble()
@@ -110,8 +113,8 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
 }
 
 /**
- * Lets [live] carry out [call], which sends a message. Afterwards the intention waits or its plan fails, as in [recorded]. Outside of a
- * fleet [recorded] is null, and no intention waits.
+ * Lets [live] carry out [call], which sends a message. As in [recorded], the intention then waits or its plan fails. Outside of a fleet
+ * [recorded] is null, and no intention waits.
  */
 internal fun send(recorded: Call?, call: InternalCall, live: (Unifier) -> Any, suspending: (suspend: () -> Unit) -> Unit): Any {
     val result = try {

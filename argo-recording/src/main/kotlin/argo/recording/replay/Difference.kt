@@ -12,8 +12,8 @@ import argo.recording.Step
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
- * @property recorded the recorded value; null: none
- * @property now the value in the replay; null: none
+ * @property recorded the recorded value; null if there is none
+ * @property now the value in the replay; null if there is none
  */
 data class Difference(
     val agent: String,
@@ -24,7 +24,7 @@ data class Difference(
     val now: String?,
     val cause: String,
 ) {
-    /** True if only the result of the project's action or function differs. The replay then used the recorded result and went on. */
+    /** True if only the result of the project's action or function differs. The replay then used the recorded result and continued. */
     val isOfResult: Boolean get() = what.startsWith(RESULT)
 
     override fun toString() =
@@ -35,7 +35,7 @@ data class Difference(
     }
 }
 
-/** Returns the kind and both values of the first difference between [recorded] and [now]; null: there is none. */
+/** Returns the kind and both values of the first difference between [recorded] and [now]; null if there is none. */
 internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
     fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
         val (before, after) = recorded.of() to now.of()
@@ -51,8 +51,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * Returns the comparable part of this replayed course of [cycle]. Parts that the recording lacks, because the agent or Java was ending, are
- * missing in the result too. Unless [isChecking], the project's own actions do not run, and their printed lines come from the recording.
+ * Returns the comparable part of this replayed course of [cycle]. If the recording lacks parts, because the agent or Java was ending, the
+ * result also lacks them. If [isChecking] is false, the project's own actions do not run, and their printed lines come from the recording.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)

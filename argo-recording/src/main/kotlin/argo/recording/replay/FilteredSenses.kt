@@ -13,8 +13,8 @@ import jason.asSyntax.Literal
 import java.util.concurrent.TimeUnit
 
 /**
- * The recorded percepts, with the boards' messages seen through [filter] instead of the recorded filters. Percepts of an environment and
- * beliefs about ports stay as recorded.
+ * The recorded percepts, but with [filter] instead of the recorded filters for the boards' messages. Percepts of an environment and beliefs
+ * about ports stay as recorded.
  */
 internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private val boards = LinkedHashMap<String, Board>()
@@ -31,7 +31,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         val input = cycle.input
         val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
         input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
-        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // `map` first, so that every board takes what is due
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // `map` first, so that every board takes its due percepts
         input.percepts?.let { recorded = it.appliedTo(recorded) }
         if (input.percepts == null && !isDue) return null
         noteCritical()
@@ -47,7 +47,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
 
     override fun takeNewlyCritical(): List<Literal> = newlyCritical
 
-    /** A board whose percepts the agent believes in [namespace]; null: in the default namespace. */
+    /** A board with percepts in [namespace]; null for the default namespace. */
     private inner class Board(private val namespace: String?) {
         private val session = MessageSession(::read).also { it.switchTo(filter) }
 
@@ -55,7 +55,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         var before: Set<String> = emptySet()
             private set
 
-        /** The part of that newest message that the agent perceives in this replay. */
+        /** The part of the board's newest message that the agent perceives in this replay. */
         var now: MessagePerception? = null
             private set
 

@@ -14,14 +14,14 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 
 /**
- * The agent of a replay, or an agent that Jason makes for an included file. Asks [watch] about each call of looked-up code: while Jason
- * reads the program, while the agent runs, and for terms that the agent makes from texts. The agent uses only classes that are internal
+ * The agent of a replay, or an agent that Jason makes for an included file. Asks [watch] about each call of looked-up code, even while
+ * Jason reads the program. This includes code in terms that the agent makes from texts. The agent uses only classes that are internal
  * actions or functions.
  */
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     private var code: WatchedCode? = null // null while the program is read
 
-    /** From now on asks [asked] about the calls of the agent's [code]. Call this when Jason has read the program. */
+    /** From now on asks [asked] about the calls of the agent's [code]. Called when Jason has read the program. */
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked
@@ -37,7 +37,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     override fun getFunction(name: String, arity: Int): ArithFunction? =
         super.getFunction(name, arity)?.let { WatchedCode.watched(it, watch) }
 
-    /** Watches included code anew, since Jason's own agents read the blocks of an included file. */
+    /** Watches included code again, since Jason's own agents read the blocks of an included file. */
     override fun importComponents(included: Agent) {
         super.importComponents(included)
         code?.run {
@@ -48,7 +48,8 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 
     companion object {
         /**
-         * Refuses the class [name] if it is neither an internal action nor a function. Jason reports a missing class.
+         * Refuses the class [name] if it is neither an internal action nor a function. Ignores a missing class, since Jason reports it.
+         *
          * @throws RecordingException if [name] is refused
          */
         fun requireCode(name: String) {
@@ -61,8 +62,8 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 }
 
 /**
- * Asks [watch] about each call of code that Jason has looked up while it read a program. As long as [watch] is null, carries out only
- * Jason's functions and, if [isCarryingOut], the project's own code.
+ * Asks [watch] about each call of code that Jason has looked up while it read a program. While [watch] is null, carries out only Jason's
+ * functions and, if [isCarryingOut] is true, the project's own code.
  */
 internal class LateWatch(private val isCarryingOut: Boolean) : CallWatch {
     /** The watch to ask; null while the program is read. */

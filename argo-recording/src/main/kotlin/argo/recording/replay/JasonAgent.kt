@@ -27,11 +27,12 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Makes Jason create an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
+ * Makes Jason create an agent like [recorded], without ports, threads and its own clock. All its input comes from [boundary].
  *
- * @param isCarryingOut whether an architecture of the project may be made; such an architecture may do anything
- * @param observers options of observers, such as `argo_debug=4711`; the recorded options might start others, such as a live view
- * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or if Jason cannot read the program
+ * @param isCarryingOut whether an architecture of the project, which may do anything, may be made
+ * @param observers options of observers, such as `argo_debug=4711`. The recorded options of observers are left out, since they might start
+ * a live view
+ * @throws RecordingException if Jason cannot read the program, or if a class of the agent is missing or not allowed in a replay
  */
 internal fun jasonAgent(
     recorded: RecordedAgent,
@@ -73,7 +74,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source]. Jason's annotations and errors name [address] as the program's address; null: [source]. */
+/** Reads the program in the file [source]. Jason's annotations and errors name [address] or, if it is null, [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, ProgramSource.nameOf(address)) }
@@ -81,7 +82,7 @@ private fun Agent.read(source: Path, address: String?) {
     aslSrc = address
 }
 
-/** Makes Jason forget its selections, as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
+/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. A recording leaves these cycles out. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -125,15 +126,15 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 }
 
 /**
- * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads most settings when it makes an agent;
- * it reads some only once, when Java makes the first term.
+ * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads most settings when it makes an agent.
+ * Jason reads some settings only once, when Java makes the first term.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
 /**
- * Calls [read], in which Jason reads a program: with these [settings], but without its server for showing agents. The server would show
- * each block of a program as an agent, too.
+ * Calls [read], in which Jason reads a program. Uses [settings], but switches off Jason's server for showing agents, which would also show
+ * each block of a program as an agent.
  */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()
@@ -146,7 +147,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
     }
 }
 
-/** Refuses the class [name] of an agent unless it is Jason's own class [jasons]. The constructor of another class may do anything. */
+/** Refuses the class [name] of an agent if it is not Jason's own class [jasons]. The constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes only $jasons")
 }
@@ -167,7 +168,7 @@ private fun archType(recorded: RecordedAgent, isCarryingOut: Boolean): Class<out
     throw RecordingException("agent ${recorded.name} had the architecture $name, which is not argo.Arch")
 }
 
-/** Returns the class [type] without initializing it; null: it is not on the class path. */
+/** Returns the class [type] without initializing it; null if it is not on the class path. */
 internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
@@ -176,7 +177,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if a replayed agent gets [option] too: the option starts no observer. */
+/** Returns true if a replayed agent also gets [option]. Options that start observers are left out. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {
@@ -186,12 +187,12 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }
 
-/** The platform of an agent in a replay, with the recorded input. This platform opens no port and runs no thread. */
+/** The platform of an agent in a replay, with the recorded input. Opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
     override val standsStill get() = true
 
-    /** Returns a thread that never runs. An agent starts a thread to close its ports, but has no ports here. */
+    /** Returns a thread that never runs. An agent starts a thread to close its ports, but a replayed agent has no ports. */
     override fun start(name: String, run: () -> Unit) = Thread(run, name)
 
     override fun later(delayMs: Long, action: () -> Unit) = Unit

@@ -6,8 +6,8 @@ import java.util.ArrayDeque
 import kotlin.math.abs
 
 /**
- * Finds the messages that agents of several [recordings], such as those of a fleet's computers, sent to each other. These messages show the
- * differences of the recordings' clocks. Messages are found by sender and name. For one thread.
+ * Finds the messages that agents of several [recordings], such as those of a fleet's computers, sent to each other. Computes the
+ * differences of the recordings' clocks from the messages. Messages are found by sender and name. For one thread.
  */
 class JointRecordings(private val recordings: List<Recording>) {
     /**
@@ -31,13 +31,13 @@ class JointRecordings(private val recordings: List<Recording>) {
 
     private val differences: Map<Pair<Int, Int>, List<Long>> by lazy { messageTimes() }
 
-    /** For each recording, the difference of its clock from the first recording's clock; null: no messages connect the two. */
+    /** For each recording, the difference of its clock from the first recording's clock; null if no messages connect the two. */
     val differencesOfClocks: List<ClockDifference?> by lazy { ofAll() }
 
     private fun sendings(one: Telling) =
         one.cycle.course.mail.filter { it.failure == null }.map { Sending(one.place, one.agent, one.cycle, it) }
 
-    /** Returns the sending of [mail], taken by the agent [receiver] of the recording with the index [place]; null: it was not recorded. */
+    /** Returns the sending of [mail], which the agent [receiver] of the recording [place] took; null if it was not recorded. */
     fun sending(place: Int, receiver: String, mail: Mail): Sending? {
         val own = mail.sender in recordings[place].agents
         return sent[mail.sender to mail.id]?.find { one ->
@@ -45,7 +45,7 @@ class JointRecordings(private val recordings: List<Recording>) {
         }
     }
 
-    /** Returns, for each pair of recordings, one time for each message between them: the receiver's time less the sender's, in ns. */
+    /** Returns the times of the messages between each pair of recordings: the receiver's time minus the sender's time, in ns. */
     private fun messageTimes(): Map<Pair<Int, Int>, List<Long>> = telling.flatMap { one ->
         one.cycle.input.mail.mapNotNull { sending(one.place, one.agent, it) }.filter { it.recording != one.place }
             .map { (it.recording to one.place) to one.cycle.ns - it.cycle.ns }
@@ -75,7 +75,7 @@ class JointRecordings(private val recordings: List<Recording>) {
  * The time by which a recording's clock is ahead of another recording's clock.
  *
  * @property ns the difference in ns
- * @property withinNs the largest error of [ns], in ns; null: not known, since messages went only one way
+ * @property withinNs the largest error of [ns], in ns; null if it is not known, since messages went only one way
  * @property messages the number of messages that show the difference
  */
 data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int) {
@@ -86,9 +86,9 @@ data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int)
         val NONE = ClockDifference(0, 0, 0)
 
         /**
-         * Returns the time by which the receiver's clock is ahead of the sender's; null: there are no messages. [there] has one number for
-         * each message: its arrival by the receiver's clock less its sending by the sender's clock, in ns. [back] has the same for messages
-         * the other way. Messages take time, so [there] gives an upper limit, and [back] a lower one.
+         * Returns the time by which the receiver's clock is ahead of the sender's; null if there are no messages. [there] has one number
+         * for each message: its arrival by the receiver's clock minus its sending by the sender's clock, in ns. [back] has these numbers
+         * for messages in the other direction. Messages take time, so [there] gives an upper limit, and [back] a lower one.
          */
         internal fun of(there: List<Long>, back: List<Long>): ClockDifference? {
             val (most, least) = there.minOrNull() to back.minOrNull()?.unaryMinus()

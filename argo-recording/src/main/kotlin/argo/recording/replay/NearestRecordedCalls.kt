@@ -39,22 +39,22 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
 
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the next call of [name] with [args]; null: none is left. Returns each call once. */
+    /** Returns the next call of [name] with [args]; null if none is left. Returns each call once. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]; null: none
-     * is left. Returns each call once.
+     * Returns the call of [name] with [args] in the cycle with [index]. If this cycle has no such call, returns the nearest call within
+     * [NEAR_NS] of [ns]; null if none is left. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
 
-    /** Returns the same call as [near], but may return a call several times. */
+    /** Searches like [near], but may return a call several times. */
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 
-    /** Returns the first call of [name] with [args], at any time. May return the same call several times. */
+    /** Returns the first call of [name] with [args], at any time. May return a call several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
     /** Returns the end of a timer at about [ns], or a little later, since an agent sees the end late. Returns each end once. */
@@ -84,12 +84,12 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
 
         private const val TIMER = "timer"
 
-        /** The times by which a timer may seem to end too early or too late, in ns. */
+        /** How much too early or too late a timer may seem to end, in ns. */
         private const val EARLY_NS = 2_000_000L
         private const val LATE_NS = 100_000_000L
         private const val LATEST_NS = 2_000_000_000L
 
-        /** The duration of a command if none was recorded, in ns. */
+        /** The assumed duration of a command if none was recorded, in ns. */
         private const val USUAL_NS = 10_000_000L
     }
 }

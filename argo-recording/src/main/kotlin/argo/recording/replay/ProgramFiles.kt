@@ -10,7 +10,7 @@ import kotlin.io.path.createTempDirectory
 /**
  * Writes the programs in [recording] to files in a temporary directory. [close] or the end of Java removes the directory.
  *
- * @throws RecordingException if a program would lie outside of the directory, or names a class that is no internal action or function
+ * @throws RecordingException if a program would be outside of the directory, or names a class that is no internal action or function
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-replay")

@@ -18,12 +18,12 @@ import java.util.concurrent.Callable
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** Takes a difference from a recording: its kind, the recorded value, the value in the replay, and the cause if it is known. */
+/** Takes a difference from a recording: its kind, the recorded value, the value in the replay, and the cause, if known. */
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * Gives the recorded results to an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to carry out
- * the project's own actions and functions again, to compare their results.
+ * Gives the recorded results to an agent that must repeat its recording. Reports each difference. If [isChecking] is true, carries out the
+ * project's own actions and functions again, and compares their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()
@@ -37,7 +37,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     /** The recorded calls that the agent has repeated in this cycle, in the order of the repetition. */
     val repeated: List<Call> get() = taken
 
-    /** The project's actions and functions that the agent has called: a likely cause of a difference. */
+    /** The project's actions and functions that the agent has called. If a difference appears, its cause is probably among them. */
     val projectCalls = LinkedHashSet<String>()
 
     override val suspending: String get() = underWay?.let(::described).orEmpty()
@@ -60,7 +60,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
             return
         }
-        if (end.kind == WORK && !isChecking) return // work with an effect has already ended the replay
+        if (end.kind == WORK && !isChecking) return // if the work had an effect, the replay has already ended
         val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
         if (work != null) return work.run()
         found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
@@ -119,8 +119,8 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     }
 
     /**
-     * Reports the agent's call [now], which was not recorded. If Jason ended the recorded cycle early, such a call might have come later,
-     * and is not reported.
+     * Reports the agent's call [now], which was not recorded. If Jason ended the recorded cycle early, does not report it, since the call
+     * might have come later.
      */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
@@ -129,7 +129,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     private fun notRecorded(name: String, kind: String) =
         "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or data of a thread"
 
-    /** Returns the recorded call of [name] with [args]; null: there is none. Returns each call once. */
+    /** Returns the recorded call of [name] with [args]; null if there is none. Returns each call once. */
     private fun take(name: String, args: Array<Term>): Call? {
         val texts = compared(args.asList())
         val index = calls.indexOfFirst { it.isOf(name, texts) }

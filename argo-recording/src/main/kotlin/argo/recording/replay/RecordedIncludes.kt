@@ -16,7 +16,7 @@ import java.nio.file.Path
 
 /**
  * The files that [agent] of [recording] has included. A replay takes these files from the recording instead of the disk. [beside] is the
- * user's own program, which replaces the recorded one; null: there is none. Included files are looked for in its folder first.
+ * user's own program, which replaces the recorded one; null if there is none. Included files are first searched in its folder.
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
@@ -47,7 +47,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
 
     /**
      * Returns the user's file [name] if the user's own program includes it. Recorded files include only recorded files. At run time a
-     * recorded plan may include a file, so only files in the folder of the program are then valid.
+     * recorded plan may include a file, so only files in the folder of the program are valid.
      */
     private fun ownFile(name: String): Recording.Include? {
         if (beside == null || isInRecorded) return null
@@ -67,7 +67,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
         return if (all.size > 1) all.removeFirst() else all.first()
     }
 
-    /** Reads [text] as Jason's `include` reads a file; null: it cannot be read, and Jason goes on without it. */
+    /** Reads [text] as Jason's `include` reads a file. Returns null if it cannot be read; Jason ignores an unreadable file. */
     private fun read(text: ByteArray, address: String, namespace: Atom): Agent? = try {
         agent().apply {
             initAg()

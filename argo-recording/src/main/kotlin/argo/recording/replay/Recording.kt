@@ -28,7 +28,7 @@ import kotlin.io.path.readBytes
  * A recording of agents. For one thread.
  *
  * @throws IOException if the file cannot be read
- * @throws RecordingException if the file is no recording of agents, or is of a newer version
+ * @throws RecordingException if the file is no recording of agents, or has a newer version
  */
 class Recording(private val file: Path) : AutoCloseable {
     private val reader = McapReader(file)
@@ -57,12 +57,13 @@ class Recording(private val file: Path) : AutoCloseable {
      * @property within the file of the program that includes this file
      * @property name the name of this file in the directive `include`
      * @property address Jason's address of the included file
-     * @property text the content of the included file; null: there was no such file
+     * @property text the content of the included file; null if the file was missing
      */
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 
     /**
      * Returns the files that [agent] has included, in the order in which it included them.
+     *
      * @throws RecordingException if the recording lacks the content of a file
      */
     internal fun includes(agent: String): List<Include> = generateSequence(1) { it + 1 }
@@ -74,7 +75,8 @@ class Recording(private val file: Path) : AutoCloseable {
         }.toList()
 
     /**
-     * Returns those program files, included ones too, whose present content on this computer's disks differs from the recorded content.
+     * Returns the program files and included files that differ from the recording. Compares with the files on this computer's disks.
+     *
      * @throws RecordingException if the recording lacks the content of a file
      */
     fun changedFiles(): List<Path> {
@@ -85,7 +87,10 @@ class Recording(private val file: Path) : AutoCloseable {
         }.distinct()
     }
 
-    /** One sentence for each unreadable part of the file; the 101st is about all others. The readable parts can be replayed. */
+    /**
+     * One sentence for each unreadable part of the file. After 100 sentences, one last sentence says that there are others. The readable
+     * parts can be replayed.
+     */
     val problems: List<String> get() = reader.problems
 
     private fun checkFormat() {
@@ -100,34 +105,36 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order. With [last], returns only the cycles in the last part of this length. */
+    /** Returns the cycles of [agent], in their order. If [last] is given, returns only the cycles in the last part of this length. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
-    /** Returns the key frames of [agent], at which a replay may begin, and the reasons for missing ones, in their order. */
+    /** Returns the key frames of [agent], at which a replay may begin, and the reasons for missing key frames, in their order. */
     fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer(), last = null)
 
     /**
-     * Returns the first key frame of [agent] if the agent's beginning is missing; a replay begins there. Null: a replay begins with the
-     * agent's first cycle, or there is no key frame.
+     * Returns the first key frame of [agent] if the agent's beginning is missing. A replay then begins at this key frame. Returns null if a
+     * replay begins with the agent's first cycle, or if there is no key frame.
      */
     fun start(agent: String): KeyFrame? = starts.getOrPut(agent) {
         val first = cycles(agent).firstOrNull()?.index ?: return null
         listOfNotNull(if (first <= 1) null else keyFrames(agent).firstOrNull { it.missing == null && it.index >= first - 1 })
     }.firstOrNull()
 
-    /** Returns the cycles of [agent] that can be replayed, in their order: all cycles after its [start]. */
+    /** Returns the cycles of [agent] after its [start], in their order. Only these cycles can be replayed. */
     fun replayable(agent: String): Sequence<Cycle> {
         val index = start(agent)?.index ?: return cycles(agent)
         return cycles(agent).filter { it.index > index }
     }
 
-    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null: there is none. Times count from here. */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null if there is none. Times count from here. */
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if no replay can repeat it. Also refuses a cycle that does not directly follow the cycle with the index
-     * [last]; 0: [cycle] is the first. If [isCarryingOut], the replay carries out the project's code, so it can repeat more cycles.
+     * Refuses [cycle] of [agent] if no replay can repeat it. Also refuses a gap: [cycle] must directly follow the cycle with the index
+     * [last]. If [last] is 0, [cycle] must be the first. If [isCarryingOut] is true, the replay carries out the project's code, so it can
+     * repeat more cycles.
+     *
      * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -148,8 +155,8 @@ class Recording(private val file: Path) : AutoCloseable {
     }
 
     /**
-     * Returns the outcomes of the commands of [agent], in the order in which they became known. With [last], returns only the outcomes in
-     * the recording's last part of this length.
+     * Returns the outcomes of the commands of [agent], in the order in which they became known. If [last] is given, returns only the
+     * outcomes in the recording's last part of this length.
      */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
@@ -212,12 +219,12 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
     override fun toString() = "agent $agent can be replayed only until its cycle $cycle: $why"
 }
 
-/** A recording cannot be replayed; [message] contains the reason and the remedy. */
+/** Reports that a recording cannot be replayed. [message] contains the reason and the remedy. */
 class RecordingException(message: String) : IOException(message)
 
 /**
- * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deep, the result is a
- * [RecordingException]; otherwise it is [failed] itself.
+ * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deeply, returns a
+ * [RecordingException], else [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

@@ -7,21 +7,21 @@ import argo.recording.agent.shownBeliefs
 
 /**
  * Runs the agents of [recording] again in Jason on their recorded input, without boards, threads and clocks. The cycles run in the order of
- * their times. After each cycle, the replay compares the agent's course with the recorded one. An agent with another course is stopped,
- * since its later input answers actions that it has not done. An agent also stops before its first cycle that no replay can repeat, see
- * [refusals].
+ * their times. After each cycle, the replay compares the agent's course with the recorded one. If an agent takes another course, it is
+ * stopped, since its later input answers actions that it has not done. An agent also stops before its first cycle that no replay can
+ * repeat, see [refusals].
  *
- * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
- * recorded results. If [isChecking], a replay does carry them out, and reports a result that differs from the recorded one, but still uses
- * the recorded result. Unless [isChecking], a replay refuses an agent that has an architecture of the project in place of `argo.Arch`.
+ * A replay changes nothing outside of itself. Instead of the project's own internal actions and functions, it uses their recorded results.
+ * If [isChecking] is true, the replay carries them out and reports results that differ, but still uses the recorded results. If
+ * [isChecking] is false, the replay refuses an agent that has an architecture of the project in place of `argo.Arch`.
  *
- * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
- * an agent's recording contains all messages that the agent took after its own key frame.
+ * If the beginning of an agent is missing, the agent begins at its own first key frame, see [Recording.start]. The agents need no common
+ * key frame, since an agent's recording contains all messages that it took after its own key frame.
  *
- * Close the replay at the end. For one thread; a program can run one replay at a time.
+ * Close the replay at the end. For one thread. A program can run one replay at a time.
  *
  * @param isChecking whether to carry out the project's own code again
- * @param debugPort the port at which debuggers reach the agents, 0 for any free port; null: no debugger reaches them
+ * @param debugPort the port at which debuggers reach the agents, 0 for any free port; null if no debugger reaches them
  * @throws RecordingException if the recording cannot be replayed, or no debugger can reach an agent at [debugPort]
  */
 class Replay(
@@ -47,7 +47,7 @@ class Replay(
     var cyclesRun = 0L
         private set
 
-    /** The beginning of the cycle that was run last, in ns of the agents' clock; null: none was run. */
+    /** The beginning of the last cycle that was run, in ns of the agents' clock; null if none was run. */
     var lastNs: Long? = null
         private set
 
@@ -57,16 +57,16 @@ class Replay(
 
     private val upcoming: Map.Entry<String, Cycle>? get() = next.minByOrNull { (_, cycle) -> cycle.ns }
 
-    /** The beginning of the next cycle, in ns of the agents' clock; null: none is left. */
+    /** The beginning of the next cycle, in ns of the agents' clock; null if none is left. */
     val nextNs: Long? get() = upcoming?.value?.ns
 
     /**
      * Returns the pauses of [agent] in this replay. While the agent is paused, [run] does not return, so another thread must let the agent
-     * go on. A pause does not change the agent's course.
+     * continue. A pause does not change the agent's course.
      */
     fun pausing(agent: String): Pausing = agents.getValue(agent).observed.pausing
 
-    /** Pauses the agent of the next cycle before that cycle, see [pausing]. Returns the agent's name; null: no cycle is left. */
+    /** Pauses the agent of the next cycle before that cycle, see [pausing]. Returns the agent's name; null if no cycle is left. */
     fun pause(): String? = upcoming?.key?.also { pausing(it).pause() }
 
     /** Runs all cycles that began before [untilNs]. Returns this replay. */
@@ -119,7 +119,7 @@ class Replay(
         if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
     }
 
-    /** Returns the present beliefs of [agent] in Jason's notation, without rules and without beliefs that Jason hides. */
+    /** Returns the current beliefs of [agent] in Jason's notation, without rules and without beliefs that Jason hides. */
     fun beliefs(agent: String): List<String> = shownBeliefs(agents.getValue(agent).ts.ag.bb)
 
     private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {

@@ -10,10 +10,10 @@ import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
- * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. The agent begins at the
- * beginning of its program, or at the key frame [Recording.start] of [recording].
+ * A recorded agent that Jason runs again on its recorded input, without ports, threads and its own clock. The agent begins at the beginning
+ * of its program, or at the key frame [Recording.start] of [recording].
  *
- * @param programs the files of the agents' programs, whose code has been checked
+ * @param programs the files of the agents' programs, with checked code
  * @param isChecking whether to carry out the project's code
  * @param observers options of observers, such as `argo_debug=4711`
  * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
@@ -34,7 +34,6 @@ internal class ReplayedAgent(
         jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking, observers)
     private val arch get() = ts.agArch as Arch
 
-    /** The agent as its observers see it. */
     val observed: ObservedAgent get() = arch.observed
 
     val observers: List<AgentObserver> get() = arch.observers
@@ -85,7 +84,7 @@ internal class ReplayedAgent(
     }
 }
 
-/** Returns why [cycle] of [agent] cannot follow the cycle with the index [last], in words; null: it can. */
+/** Returns the reason, in words, why [cycle] of [agent] cannot follow the cycle with the index [last]; null if it can. */
 internal fun gap(agent: String, cycle: Cycle, last: Long) =
     "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
         "the disk was too slow, or that part of the file is damaged; until there it can be replayed"

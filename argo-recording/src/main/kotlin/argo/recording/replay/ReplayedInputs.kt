@@ -49,7 +49,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     private var isAsking = false
     private lateinit var code: WatchedCode
 
-    /** The agent's transition system; set by [begin]. */
+    /** The agent's transition system. [begin] sets it. */
     lateinit var ts: TransitionSystem
         private set
 
@@ -61,15 +61,15 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         private set
 
     /**
-     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start]. [recorded] is the agent with
-     * the recorded program, if the agent of [ts] has another program.
+     * Begins the agent of [ts] at the beginning of its program or at [start]. Jason has already read the program. If the agent of [ts] has
+     * another program, [recorded] is the agent with the recorded program.
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // intentions under way consist of recorded plans
+        if (recorded != null) guarded(recorded) { watch(recorded) } // started intentions consist of recorded plans
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
@@ -146,7 +146,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: one of the texts replaces a term that no recording can contain. */
+    /** Returns the result of [read], which reads recorded texts. Returns null if a text replaces a term that no recording can contain. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {

@@ -33,7 +33,7 @@ import java.util.zip.InflaterInputStream
  * Restores the agent of [ts] to its state at [frame]. Jason has just made the agent, which has had no cycle yet.
  *
  * @param program the parts of the recorded program; the agent's intentions consist of this program's plans
- * @param isProgram whether the agent has the recorded program; otherwise the agent keeps its own rules and plans
+ * @param isProgram whether the agent has the recorded program; if false, the agent keeps its own rules and plans
  */
 internal class Restoration(
     private val frame: KeyFrame,
@@ -45,6 +45,7 @@ internal class Restoration(
 ) {
     /**
      * Restores the agent. Returns the running timers by their numbers.
+     *
      * @throws RecordingException if the key frame is damaged, or belongs to another program or version of Jason
      */
     fun restore(): Map<Int, Callable<*>> {
@@ -68,7 +69,7 @@ internal class Restoration(
         }
     }
 
-    /** Returns the fault of the key frame that [broken] reveals, in words; null: the fault is in ARGO. */
+    /** Returns the fault of the key frame that [broken] reveals, in words; null if the fault is in ARGO. */
     private fun unreadable(broken: Exception): String? = when (broken) {
         is IOException, is IllegalArgumentException, is IndexOutOfBoundsException, is JasonException -> "${broken.message}"
         is ReflectiveOperationException -> "$broken"
@@ -90,10 +91,10 @@ internal class Restoration(
         Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
 
-    /** Returns the rule at this [place] among the beliefs; null: there is none. */
+    /** Returns the rule at this [place] among the beliefs; null if there is none. */
     private fun ruleAt(place: Int, mind: Mind): Rule? = frame.rules[place]?.let(program.rules::get) ?: mind.rules?.get(place)
 
-    /** Returns a set of [percepts] that has the order of the list, if such a set is found. The order depends on the capacity of the set. */
+    /** Returns a set of [percepts] with the order of the list, if one is found. The order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {
         val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
         val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }
@@ -127,7 +128,7 @@ internal class Restoration(
         return timers
     }
 
-    /** Returns the listener that [make] makes. The listener begins at most one timer. [timer] gets that timer's work. */
+    /** Returns the listener that [make] makes. The listener begins at most one timer, and [timer] gets the work of this timer. */
     private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
         val keeper = object : Keeper {
             override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
@@ -141,7 +142,7 @@ internal class Restoration(
     }
 
     private companion object {
-        /** The capacities of Java's sets: powers of two, and a set is at most three quarters full. */
+        /** The capacities of Java's sets are powers of two. A set is at most three quarters full. */
         const val SMALLEST = 16
         const val LARGEST = 1 shl 20
         const val LOAD = 0.75

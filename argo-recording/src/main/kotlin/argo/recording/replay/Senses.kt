@@ -9,7 +9,7 @@ internal interface Senses {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
-    /** Returns the agent's percepts in [cycle], which is recorded or additional; null: nothing has changed. */
+    /** Returns the agent's percepts in [cycle], which is recorded or additional; null if nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
     /** Returns the new percepts of the last perception that meet critical rules. */
@@ -32,7 +32,7 @@ internal class RecordedSenses : Senses {
         return percepts
     }
 
-    /** Returns the literal of a percept. Reads each text only once, like the recorded agent: Jason copies literals that it believes. */
+    /** Returns the literal of a percept. Reads each text only once, like the recorded agent. Jason copies literals that it believes. */
     private fun perceptOf(text: String): Literal {
         if (known.size >= MAX_KNOWN) known.clear()
         return known.getOrPut(text) { literalOf(text) }

@@ -8,11 +8,11 @@ import java.time.Duration
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
- * @property port the port of the command's board; null: not known
- * @property place the file and the line of the step that sent the command; null: not known
+ * @property port the port of the command's board; null if it is not known
+ * @property place the file and the line of the step that sent the command; null if it is not known
  */
 data class TimedCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
-    /** Returns true if [other] is the same command to the same board. */
+    /** Returns true if [other] has an equal text, and may be for the board of this command. */
     fun isSame(other: TimedCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
 }
 
@@ -24,10 +24,10 @@ internal fun Cycle.sent(): List<TimedCommand> = input.calls.flatMap { it.command
 internal fun placeOf(file: String?, line: Int?): String? = if (file == null || line == null) null else "$file:$line"
 
 /**
- * The first difference between the recorded commands and the present ones.
+ * The first difference between the recorded commands and the commands of the replay.
  *
- * @property recorded the recorded command; null: the agent sends an additional command
- * @property now the present command; null: the recorded command is missing
+ * @property recorded the recorded command; null if the agent sends an additional command
+ * @property now the command of the replay; null if the recorded command is missing
  * @property same the number of equal commands before the difference
  */
 data class CommandDifference(val recorded: TimedCommand?, val now: TimedCommand?, val same: Int) {
@@ -49,7 +49,7 @@ data class CommandDifference(val recorded: TimedCommand?, val now: TimedCommand?
 
     companion object {
         /**
-         * Returns the first difference between the commands [recorded] and [now], both in the order of their times; null: there is none.
+         * Returns the first difference between the commands [recorded] and [now], both in the order of their times; null if there is none.
          *
          * @param within the largest difference in time between equal commands
          * @param endNs the end of the recording; later commands of the agent are no differences

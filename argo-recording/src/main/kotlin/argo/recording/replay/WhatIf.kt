@@ -13,25 +13,25 @@ import java.time.Duration
  * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes its commands.
  * Messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - A command ends like the nearest recorded command with the same text within a second. Without such a command, it succeeds in the usual
+ * - A command ends like the nearest recorded command with its text within a second. Without a recorded command, it succeeds in the usual
  *   time.
- * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
- *   question within a second. Without such an answer, the question is false. All other actions of `argo.` succeed.
- * - Chance and clocks give the recorded values in the order of the questions; when the recorded values are used up, they give other values.
- * - A timer ends together with a recorded timer that ended at about the same time. Without such a timer, it ends at its own time.
- * - The project's own internal actions are carried out if [program] is given. Without [program], these actions have their recorded results.
+ * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get their nearest recorded answer within a
+ *   second. Without a recorded answer, the question is false. All other actions of `argo.` succeed.
+ * - Chance and clocks give the recorded values in the order of the questions. After the last recorded value, they give other values.
+ * - A timer ends together with a recorded timer of about its time. Without a recorded timer, it ends at its own time.
+ * - The project's own internal actions are carried out if [program] is given. If it is null, these actions have their recorded results.
  *
- * As long as the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
+ * While the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
  * recorded agent slept.
  *
  * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]. The agent then has the beliefs of
- * the key frame, even if [program] has others. The intentions of the key frame go on with their own plans.
+ * the key frame, even if [program] has others. The intentions of the key frame continue with their own plans.
  *
- * Close the object at the end. For one thread; a program can run one replay at a time.
+ * Close the object at the end. For one thread. A program can run one replay at a time.
  *
- * @param program the agent's program; null: the recorded program
+ * @param program the agent's program; null for the recorded program
  * @param cycles the agent's recorded cycles, from [Recording.start] on
- * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
+ * @param usualNs the duration of a command that was not recorded, in ns; null for the median of the recorded durations
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
 class WhatIf internal constructor(
@@ -55,13 +55,13 @@ class WhatIf internal constructor(
     private val before = ArrayList<TimedCommand>()
     private var number = 0
 
-    /** The recorded commands up to the agent's present cycle. */
+    /** The recorded commands up to the agent's current cycle. */
     val commands: List<TimedCommand> get() = before
 
     /** The commands that the agent has sent in this run. */
     val commandsNow: List<TimedCommand> get() = answers.sent
 
-    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock, from which times count; null: there is none. */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null if there is none. Times count from here. */
     var firstNs: Long? = null
         private set
 
@@ -90,7 +90,8 @@ class WhatIf internal constructor(
 
     /**
      * Runs all recorded cycles. Returns this object. Call this function only once.
-     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then reach up to the gap
+     *
+     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then end at the gap
      */
     fun run(): WhatIf = apply {
         runRecorded()
@@ -116,7 +117,7 @@ class WhatIf internal constructor(
             recording.requireNext(recorded.name, cycle, last?.index ?: begin, !includes.isOfRecordedProgram)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
-            if (cycle.isEnding && sent.isEmpty()) break // the recorded agent may have gone on
+            if (cycle.isEnding && sent.isEmpty()) break // the recorded agent may have continued
             before += sent
             run(cycle)
             last = cycle
@@ -125,7 +126,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs additional cycles up to [ns], which are not in the recording. In them the agent does its work and takes the ends that are due.
+     * Runs additional cycles, which are not in the recording, up to [ns]. In them the agent does its work and takes the ends that are due.
      */
     private fun runBetween(ns: Long) {
         while (true) {
@@ -151,13 +152,13 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Returns the first difference between the present commands and the recorded ones; null: there is none.
+     * Returns the first difference between the commands of this run and the recorded ones; null if there is none.
      *
      * @param within the largest difference in time between equal commands
      */
     fun difference(within: Duration): CommandDifference? = CommandDifference.first(commands, commandsNow, within, endNs)
 
-    /** The agent's present beliefs in Jason's notation, without rules and without beliefs that Jason hides. */
+    /** The agent's current beliefs in Jason's notation, without rules and without beliefs that Jason hides. */
     val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
@@ -169,10 +170,10 @@ class WhatIf internal constructor(
     private companion object {
         const val CYCLE_NS = 1_000_000L
 
-        /** The time for which an agent runs on after the recording, in ns, since it may be slower than the recorded agent. */
+        /** How long an agent continues after the recording, in ns, since it may be slower than the recorded agent. */
         const val AFTER_NS = 1_000_000_000L
 
-        /** The most additional cycles at the time of the last recorded cycle. */
+        /** The largest number of additional cycles at the time of the last recorded cycle. */
         const val MOST_AT_END = 500
     }
 }

@@ -24,8 +24,8 @@ import kotlin.random.Random
  * Gives an agent the recorded results that are nearest in time, see [WhatIf]. The agent may differ from the recorded one. Notes the
  * commands that the agent sends.
  *
- * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
- * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
+ * @param isCarryingOut whether to carry out the project's own actions and functions; if false, they have their recorded results
+ * @param usualNs the duration of a command that was not recorded, in ns; null for the median of the recorded durations
  */
 internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private val isCarryingOut: Boolean, usualNs: Long?) : Answers {
     private class Due(val ns: Long, val index: Long?, val order: Int, val carryOut: () -> Unit)
@@ -52,7 +52,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     override val isHeldAwake get() = left.isNotEmpty()
 
-    /** The time of the first end that is due outside of recorded cycles, in ns; null: there is none. */
+    /** The time of the first end that is due outside of recorded cycles, in ns; null if there is none. */
     val nextDueNs: Long? get() = due.filter { it.index == null }.minOfOrNull { it.ns }
 
     override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
@@ -171,7 +171,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         val end = before?.call?.number?.let(recorded::endOf)
         when {
             before == null -> endIn(if (isCommand) usualNs else 0, carryOut)
-            end == null -> Unit // the recording ended before the call did
+            end == null -> Unit // the recording ended before the call
             before.index == cycle.index -> endWith(end, carryOut)
             else -> endIn(end.ns - before.ns) { carryOut(end.end) }
         }
@@ -213,7 +213,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         /** The largest number of recorded messages that are kept for comparison with later messages of the agent. */
         private const val MOST_UNANSWERED = 1000
 
-        /** The actions whose answers are true only for the time of the question. */
+        /** The actions with answers that are true only at the time of the question. */
         private val LATE = setOf("argo.age", "argo.skew", "argo.can", "argo.explain")
 
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")

@@ -3,21 +3,21 @@ package argo.recording.storage
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Takes the records of a recording. Only [flush] and [close] wait for a disk, since reasoning and sensing threads call the other functions.
- * Any thread may call. Records offered by one thread are stored in their order. Records wait in memory for the recording's own writing
- * thread.
+ * Takes the records of a recording. Any thread may call the functions. Only [flush] and [close] wait for a disk, so reasoning and sensing
+ * threads may call all other functions. Records offered by one thread are stored in their order. Records wait in memory for the recording's
+ * own writing thread.
  */
 abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoCloseable {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
     internal val waiting = WaitingRecords(maxWaitingBytes)
 
-    /** The reason why storing has ended before [close], in words; null: it has not. */
+    /** The reason why storing has ended before [close], in words; null if it has not ended. */
     @Volatile
     var trouble: String? = null
         private set
 
     /**
-     * Returns a channel for messages in JSON; for a known topic, its existing channel.
+     * Returns a channel for messages in JSON. For a known topic, returns its existing channel.
      *
      * @param topic the channel's name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
@@ -30,16 +30,16 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
      *
      * @param timeNs the time of the message, in ns since 1970, or on another clock that all messages share; not below 0
      * @param data the message's JSON in UTF-8; do not change it afterwards
-     * @return false if there is no room for the message, or storing has ended; the recording then has a gap, and reports the gap itself
+     * @return false if there is no room for the message, or if storing has ended. The recording then has a gap, and reports the gap itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
     /**
      * Offers a message for storing, like the other [offer], but another thread makes its JSON.
      *
-     * @param bytes the approximate size that the message takes in memory until its JSON is made
+     * @param bytes the approximate size of the message in memory until its JSON is made
      * @param beside makes further messages later, which follow this one
-     * @param encode makes the JSON later, from objects that do not change; if [encode] or [beside] throws, the message becomes a gap
+     * @param encode makes the JSON later, from objects that do not change. If [encode] or [beside] throws, the message becomes a gap
      */
     fun offer(
         channel: RecordChannel,
@@ -62,7 +62,7 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
         waiting.add(Waiting.Metadata(name, values))
     }
 
-    /** Waits until everything offered before is stored, or storing has ended. */
+    /** Waits until everything offered before is stored, or until storing has ended. */
     fun flush() = waiting.flush()
 
     /** Refuses all later records, since nothing more can be stored. Passes [sentence], which reports this, to [warn]. */
@@ -73,8 +73,8 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
     }
 
     /**
-     * Lets [worker] store the waiting records, and waits until it has ended. Jason interrupts the thread of an agent that it stops. That
-     * thread waits on here, so that the recording is whole, and is interrupted afterwards.
+     * Lets [worker] store the waiting records, and waits until it has ended. Jason interrupts the thread of an agent that it stops. The
+     * calling thread still waits, so that the recording is complete, and is interrupted afterwards.
      */
     internal fun closeAndAwait(worker: Thread) {
         waiting.close()
@@ -96,5 +96,4 @@ abstract class RecordSink internal constructor(maxWaitingBytes: Long) : AutoClos
 /** A message of [channel] at [timeNs] in ns, with the bytes of its JSON in UTF-8. */
 class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
-/** A channel of a [RecordSink], by its [topic]. */
 class RecordChannel internal constructor(val topic: String, internal val schemaName: String, internal val jsonSchema: String)

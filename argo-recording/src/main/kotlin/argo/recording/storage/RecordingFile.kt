@@ -15,11 +15,11 @@ import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * A recording that its own thread writes to a file. If the disk and the processors are fast enough, a record is in the file a second after
- * it was offered, even if the program is killed.
+ * A recording that its own thread writes to a file. If disk and processors are fast enough, a record is in the file at most one second
+ * after its offer, even if the program is killed.
  *
- * If nothing more can be written, as on a full disk, [warn] is called once. The file then ends behind its last whole chunk, and all later
- * records are refused.
+ * If nothing more can be written, for example because the disk is full, [warn] is called once. The file then ends after its last complete
+ * chunk, and all later records are refused.
  *
  * @param warn takes one sentence for the user; the writing thread calls it
  */
@@ -80,7 +80,7 @@ class RecordingFile internal constructor(
     }
 
     companion object {
-        /** The most bytes of messages that wait for the disk. */
+        /** The largest number of bytes of messages that wait for the disk. */
         const val MAX_WAITING_BYTES = 16L * 1024 * 1024
 
         private val FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(500)

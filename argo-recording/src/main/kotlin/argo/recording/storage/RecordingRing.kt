@@ -13,13 +13,13 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * Keeps the last part of a recording in memory; [save] writes this part to a file. The ring keeps all attachments and metadata. In place of
- * a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
+ * Keeps the last part of a recording in memory. [save] writes this part to a file. The ring keeps all attachments and metadata. A message
+ * of more than [maxBytes] is replaced by a message of the topic [GAP_TOPIC].
  *
- * If memory runs out, or if for another reason nothing more can be kept, [warn] is called once and all later records are refused.
+ * If nothing more can be kept, for example without memory, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the most bytes of kept messages; beyond this number the oldest messages are dropped before the time [last] is over
+ * @param maxBytes the largest number of bytes of kept messages. If there are more, the oldest messages are dropped early
  * @param warn takes one sentence for the user; the thread of the ring calls it
  */
 class RecordingRing(
@@ -60,8 +60,8 @@ class RecordingRing(
     }
 
     /**
-     * Overwrites the file [path] with the kept records, and goes on keeping them. Waits for the disk, so the agent's thread must not call
-     * this.
+     * Overwrites the file [path] with the kept records, and continues to keep them. Waits for the disk, so the agent's thread must not call
+     * this function.
      *
      * @throws java.io.IOException if the file cannot be written
      */
@@ -91,7 +91,7 @@ class RecordingRing(
     }
 
     companion object {
-        /** The default for the most bytes of kept messages. */
+        /** The default for the largest number of bytes of kept messages. */
         const val MAX_BYTES = 64L * 1024 * 1024
 
         private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)

@@ -6,7 +6,7 @@ import kotlin.concurrent.withLock
 
 /** A record that waits for the writing thread, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** A message. [encode] makes its JSON, which takes about [bytes] bytes; [beside] makes the messages that follow it. */
+    /** A message. [encode] makes its JSON, which takes about [bytes] bytes. [beside] makes the messages that follow it. */
     class Message(
         val channel: RecordChannel,
         val timeNs: Long,
@@ -16,10 +16,10 @@ internal sealed interface Waiting {
     ) : Waiting {
         constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, encode = gap::json)
 
-        /** Returns the message with its JSON, or a gap if [encode] fails, followed by the messages of [beside]. */
+        /** Returns the message with its JSON, or a gap if [encode] fails. The messages of [beside] follow. */
         fun encoded(): List<Encoded> = try {
             listOf(Encoded(channel, timeNs, encode())) + beside()
-        } catch (_: Throwable) { // even a stack overflow by a deep term, since the writing thread must go on
+        } catch (_: Throwable) { // even for a stack overflow by a deep term, since the writing thread must continue
             listOf(Gap.of(timeNs).encoded())
         }
     }
@@ -32,9 +32,8 @@ internal sealed interface Waiting {
 }
 
 /**
- * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. Messages for which there is no room are left out.
- * A [Gap] takes their place in the order of the records. Any thread may call. No thread holds the lock while a record is
- * written.
+ * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. If there is no room for a message, a [Gap] takes
+ * its place in the order of the records. Any thread may call the functions. No thread holds the lock while a record is written.
  */
 internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()
@@ -45,7 +44,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
     private var isUrgent = false
     private var isClosed = false
 
-    /** Adds [message]; returns false if there is no room, or this queue is closed. */
+    /** Adds [message]. Returns false if there is no room, or if this queue is closed. */
     fun offer(message: Waiting.Message): Boolean = lock.withLock {
         if (isClosed) return false
         if (bytes + message.bytes > maxBytes) {
@@ -59,7 +58,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Adds [other], however full the queue is; returns false if this queue is closed. */
+    /** Adds [other] even if the queue is full. Returns false if this queue is closed. */
     fun add(other: Waiting): Boolean = lock.withLock {
         if (isClosed) return false
         endGap()
@@ -68,16 +67,15 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Waits until all records added before have been taken and handled; returns at once if this queue is closed. */
+    /** Waits until all records added before have been taken and handled. Returns at once if this queue is closed. */
     fun flush() {
         val done = CountDownLatch(1)
         if (add(Waiting.Flush(done))) done.await()
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, if a caller waits in
-     * [flush], or if this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
-     * empty.
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, [flush] is called, or
+     * this queue is closed. Callers of [flush] then continue, even if [work] throws. Returns false if the queue is closed and empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
@@ -99,13 +97,13 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return waiting.also { waiting = ArrayList() }
     }
 
-    /** Refuses later records. Records that wait can still be taken. */
+    /** Refuses later records. Waiting records can still be taken. */
     fun close() = lock.withLock {
         isClosed = true
         changed.signalAll()
     }
 
-    /** Refuses later records and drops those that wait, since nothing can be written any more. */
+    /** Refuses later records and drops waiting ones. Called when nothing more can be written. */
     fun giveUp() {
         close()
         while (take(0) {}) continue

@@ -23,11 +23,11 @@ internal const val MAX_CAUSES_OF_CONDITION = 8
  *
  * @property number counts the messages of boards that the agent perceived, from 1
  * @property port the port by which the message came
- * @property namespace the namespace in which its percepts are believed; null: the default namespace
+ * @property namespace the namespace in which its percepts are believed; null for the default namespace
  * @property seconds the time of the message's last byte
  * @property cycle Jason's number of the cycle in which the agent perceived the message
  * @property texts the percepts as they came off the line
- * @property kept the percepts that the filter let through; null: all
+ * @property kept the percepts that the filter let through; null for all
  */
 @Serializable
 data class Frame(
@@ -45,10 +45,9 @@ data class Frame(
  *
  * @property isGone true for a departure
  * @property seconds the beginning of the cycle in which the agent noticed the change
- * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
+ * @property frame the frame that brought the percept, or the first frame without it; null if no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
- * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
- *   reason
+ * @property filter why the filter let the percept through; null if there was no filter, or if the reason is not known
  */
 @Serializable
 @SerialName("percept")
@@ -64,9 +63,9 @@ data class PerceptCause(
 /**
  * The reflex of a filter's critical rule, sent without a plan.
  *
- * @property isByBoard whether the board watched the rule and carried the reflex out; otherwise the computer sent it
- * @property failure the reason why the reflex failed; null: it succeeded
- * @property percept the percept that met the rule; null: the agent perceived no frame with such a percept
+ * @property isByBoard whether the board watched the rule and carried the reflex out; if false, the computer sent it
+ * @property failure the reason why the reflex failed; null if it succeeded
+ * @property percept the percept that met the rule; null if the agent perceived no frame with it
  */
 @Serializable
 @SerialName("reflex")
@@ -96,8 +95,8 @@ data class MessageCause(
 /**
  * An order to the agent, from a person or from the agent's last run.
  *
- * @property kind `believe`, `forget`, `begin`, `drop` or `reload`; of the last run `resume` or `begin_anew`
- * @property text the belief or goal, as the person wrote it; for an order of the last run, one on each line; empty: the order has none
+ * @property kind `believe`, `forget`, `begin`, `drop` or `reload`; for an order of the last run `resume` or `begin_anew`
+ * @property text the belief or goal, as the person wrote it. An order of the last run has one on each line. Empty if there is none
  */
 @Serializable
 @SerialName("order")
@@ -108,7 +107,7 @@ data class OrderCause(val kind: String, val text: String, val seconds: Double) :
 @SerialName("beginning")
 data class BeginningCause(val text: String, val file: String? = null, val line: Int? = null) : Cause
 
-/** A cause that the recording does not contain, or that lies too far back; [why] is the reason, in words. */
+/** A cause that the recording does not contain, or that is too far back. [why] is the reason, in words. */
 @Serializable
 @SerialName("unknown")
 data class UnknownCause(val text: String, val why: String) : Cause
@@ -143,7 +142,7 @@ data class StepCause(
  * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of the cycle of the choice
  * @property conditions the parts of the plan's context with their values at the choice
- * @property again how often the plan had called itself before, as its last step each time
+ * @property again how often the plan had called itself before, each time as its last step
  */
 @Serializable
 @SerialName("plan")
@@ -173,13 +172,13 @@ data class PlanCause(
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
 
-/** Returns all percepts among this cause and its own causes. The percept whose event is the root comes first. */
+/** Returns all percepts among this cause and its own causes. If the root is a percept, it comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
 /** Returns the frames of all percepts among this cause and its own causes. */
 fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
 
-/** Returns the root of this cause: the percept, the message or the program's goal whose event began the intention. */
+/** Returns the root of this cause: the percept, the message or the program's goal that began the intention. */
 fun Cause.root(): Cause = when (this) {
     is StepCause -> plan.root()
     is PlanCause -> event.root()

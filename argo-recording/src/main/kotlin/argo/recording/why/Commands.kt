@@ -6,7 +6,7 @@ import argo.recording.ReflexEnd
 import argo.recording.replay.Recording
 import kotlin.math.abs
 
-/** Finds all commands of one agent of [recording], whoever sent them. */
+/** Finds all commands of one agent of [recording], from plans, reflexes and other senders. */
 internal class Commands(
     private val recording: Recording,
     private val agent: String,
@@ -50,8 +50,8 @@ internal class Commands(
     }
 
     /**
-     * Removes and returns the reflex, sent by the computer, whose command has ended with [end]. The reflex and [end] were recorded at about
-     * the same time.
+     * Removes and returns the reflex, sent by the computer, that has ended with [end]. The reflex and [end] were recorded within [SAME_NS]
+     * ns of each other.
      */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
@@ -63,8 +63,8 @@ internal class Commands(
 }
 
 /**
- * Converts between ns of the agents' clock and seconds since the first cycle of a recording. [firstNs] is the beginning of that cycle, in
- * ns of the agents' clock.
+ * Converts between ns of the agents' clock and seconds since the first cycle of a recording. [firstNs] is the beginning of the first cycle,
+ * in ns of the agents' clock.
  */
 internal class RecordingClock(private val firstNs: Long) {
     fun seconds(ns: Long): Double = (ns - firstNs) / NANOS

@@ -12,10 +12,10 @@ import jason.asSyntax.RelExpr
 import jason.asSyntax.Rule
 
 /**
- * Splits formulas of the program of [agent] into their parts, and evaluates the parts by the agent's present beliefs.
+ * Splits formulas of the program of [agent] into their parts, and evaluates the parts by the agent's current beliefs.
  *
  * @param originOf returns the cause of a belief of the agent
- * @param goneOf returns why the agent believes nothing that unifies with a literal; empty: not known
+ * @param goneOf returns why the agent believes nothing that unifies with a literal; empty if this is not known
  */
 internal class Conditions(
     private val agent: Agent,
@@ -34,7 +34,7 @@ internal class Conditions(
 
     /**
      * Returns the parts of [formula], which is false under [un], up to the first part that fails. If several solutions of the earlier parts
-     * lead to a failure, uses the first few.
+     * lead to a failure, uses the first few solutions.
      */
     fun failing(formula: LogicalFormula, un: Unifier): List<Condition> {
         var ways = listOf(un)
@@ -94,7 +94,7 @@ internal class Conditions(
         return Condition(shown(literal), normal("$applied"))
     }
 
-    /** Returns the causes by which [applied] follows from [rule]; null: [applied] does not follow. */
+    /** Returns the causes by which [applied] follows from [rule]; null if [applied] does not follow. */
     private fun byRule(rule: Rule, applied: Literal, depth: Int): List<Cause>? {
         val un = Unifier()
         if (!un.unifies(applied.copy().makeVarsAnnon(), rule.headClone())) return null

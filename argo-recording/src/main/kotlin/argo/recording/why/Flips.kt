@@ -9,13 +9,13 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Finds, by trials, other numbers for the percepts of [cause]: the nearest ones with which the agent would not have sent the command. [had]
- * replays the agent with another percept in place of a percept of the cause.
+ * Finds other numbers for the percepts of [cause] by trials. Searches for the nearest numbers with which the agent would not have sent the
+ * command. [had] replays the agent with another percept in place of a percept of the cause.
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0
 
-    /** Returns the nearest value found for each percept whose number a condition compares. */
+    /** Returns the nearest value found for each percept with a number that a condition compares. */
     fun find(): List<Had> = cause.percepts().filter { !it.isGone && it.frame != null }.mapNotNull(::flipped)
 
     private fun flipped(percept: PerceptCause): Had? {
@@ -32,7 +32,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     }.distinct().sortedBy { (value, place) -> abs(value - (literal.getTerm(place) as NumberTerm).solve()) }
         .map { (value, place) -> literal.copy().apply { setTerm(place, NumberTermImpl(value)) } }
 
-    /** The pairs of numbers that the conditions of the command's plans compare, each pair in both orders. */
+    /** The pairs of numbers that the conditions of the command's plans compare, each in both orders. */
     private val limits = conditions(cause).flatMap { comparedIn(it.value) }.distinct()
 
     private fun conditions(of: Cause): List<Condition> = when (of) {

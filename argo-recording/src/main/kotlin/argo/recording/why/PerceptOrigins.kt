@@ -21,14 +21,14 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
     val newestFrames: Collection<Frame> get() = newest.values
 
-    /** Begins with [percepts], which the agent perceives at the beginning of the replay. The frames of [percepts] are not known. */
+    /** Begins with [percepts], which the agent perceives at the beginning of the replay. The frames of these percepts are not known. */
     fun beginWith(percepts: List<Literal>) {
         percepts.mapTo(earlier, ::keyOf)
     }
 
     /**
-     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], all others
-     * stay.
+     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots]. All other
+     * percepts stay.
      */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)
@@ -49,12 +49,12 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         }
     }
 
-    /** Returns the arrival of [percept]; null: the agent does not perceive it now, or its arrival is not known. */
+    /** Returns the arrival of [percept]; null if the agent does not perceive it now, or if its arrival is not known. */
     fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
 
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
-    /** Returns the last departure of a percept for which [matches] is true; null: none is known. */
+    /** Returns the last departure of a percept for which [matches] is true; null if none is known. */
     fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
 
     /** Returns the percepts of [snapshot] that the filter kept, in the form of beliefs, each with its text. */
@@ -69,7 +69,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     }
 }
 
-/** Returns the literal that an agent believes for a board's [text] in [namespace]; null: the text cannot be read. */
+/** Returns the literal that an agent believes for a board's [text] in [namespace]; null if the text cannot be read. */
 internal fun believed(text: String, namespace: String?): Literal? = try {
     PerceptReader.read(text).let { if (namespace == null) it else it.cloneNS(ASSyntax.createAtom(namespace)) as Literal }
 } catch (_: PerceptSyntaxException) {
@@ -79,14 +79,14 @@ internal fun believed(text: String, namespace: String?): Literal? = try {
 internal fun keyOf(literal: Literal): String = literalText(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)
 
 /**
- * Numbers the boards' messages that an agent perceives, from 1. A message may come again because the filter lets more of its percepts
- * through; it then keeps its number.
+ * Numbers the boards' messages that an agent perceives, from 1. If the filter later lets more percepts of a message through, the message
+ * comes again with its number.
  */
 internal class Frames(private val secondsOf: (Long) -> Double) {
     private val newest = HashMap<String, Pair<Long, Int>>()
     private var count = 0
 
-    /** Returns the frame of [snapshot], the next message. The agent perceived that message in Jason's cycle number [cycle]. */
+    /** Returns the frame of [snapshot], the next message. The agent perceived the message in Jason's cycle number [cycle]. */
     fun of(snapshot: PerceivedSnapshot, cycle: Int): Frame {
         val known = newest[snapshot.port]?.takeIf { (receivedNs, _) -> receivedNs == snapshot.receivedNs }
         val number = known?.second ?: ++count

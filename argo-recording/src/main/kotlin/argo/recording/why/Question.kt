@@ -10,13 +10,12 @@ import kotlin.math.abs
  *
  * @property number counts the commands of the agent, from 1
  * @property text the command, such as `speed(120)`, or the action of the environment
- * @property port the port of its board; null: it was an action of the environment
- * @property seconds the beginning of the step's cycle, in seconds since the first cycle; for a reflex of the board, the time of the board's
- * report
- * @property cycle Jason's number of the last cycle that had begun by [seconds], see [argo.recording.Cycle.number]; 0: none had begun
- * @property sent the command's number among the agent's commands to boards, from 1, as in the live view and the timeline. Null: the command
- *   was an action of the environment, or a reflex that the board carried out.
- * @property index counts the recorded cycles up to that of the command, see [argo.recording.Cycle.index]
+ * @property port the port of the command's board; null if it was an action of the environment
+ * @property seconds the beginning of the step's cycle, or the time of the board's report of a reflex, in seconds since the first cycle
+ * @property cycle Jason's number of the last cycle that had begun by [seconds], see [argo.recording.Cycle.number]; 0 if none had begun
+ * @property sent the command's number among the agent's commands to boards, from 1, as in the live view and the timeline. The property is
+ * null for an action of the environment, and for a reflex that the board carried out.
+ * @property index counts the recorded cycles up to the cycle of the command, see [argo.recording.Cycle.index]
  */
 @Serializable
 data class RecordedCommand(
@@ -47,10 +46,11 @@ enum class Sender {
 /**
  * A question about a command, with the properties by which the command is found.
  *
- * @property text the whole command, or its functor; empty: any
- * @property seconds the approximate time since the first cycle; null: any time
- * @property count the number of the command, from 1, among the commands with this [text]. For an empty text, the number is
- *   [RecordedCommand.sent]. Null: the command nearest to [seconds] or, without [seconds], the last command.
+ * @property text the whole command, or its functor; empty for any command
+ * @property seconds the approximate time since the first cycle; null for any time
+ * @property count the number of the command, from 1, among the commands with this [text]. If [text] is empty, the number is
+ * [RecordedCommand.sent]. If [count] is null, the question is about the command nearest to [seconds] or, without [seconds], about the last
+ * command.
  */
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
     override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
@@ -60,6 +60,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
 
     /**
      * Returns the command of [all] that the question is about.
+     *
      * @throws RecordingException if there is none, or if several agents have the command; the message names other commands or the agents
      */
     fun find(all: List<RecordedCommand>): RecordedCommand {
@@ -93,7 +94,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
         private val AT = Regex("""(.+?)@(\d{1,9}(?:\.\d{1,9})?)\s*s?""")
         private val COUNTED = Regex("""(.*)#([1-9]\d{0,8})""")
 
-        /** Returns the question in [text]: `stop@12.3s`, `stop#3`, `#17`, `stop`; null: the text is empty. */
+        /** Returns the question in [text]: `stop@12.3s`, `stop#3`, `#17`, `stop`; null if the text is empty. */
         fun of(text: String): Question? {
             val asked = text.trim()
             AT.matchEntire(asked)?.destructured?.let { (command, seconds) -> return Question(command.trim(), seconds.toDouble()) }

@@ -8,7 +8,7 @@ import argo.filters.matching.FilterSession
 import argo.recording.FilterChange
 
 /**
- * The filters through which an agent perceives at the present cycle of its recording. [files] are the files in the recording, by their
+ * The filters through which an agent perceives at the current cycle of its recording. [files] are the files in the recording, by their
  * names.
  */
 internal class RecordedFilters(private val files: Map<String, ByteArray>) {
@@ -26,8 +26,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Returns the percepts of a message that meet critical rules of the filter for [port], each with its rule. Smoothed rules look at
-     * [kept], all others at [texts].
+     * Returns the percepts of a message that meet critical rules of the filter for [port], each with its rule. Smoothed rules apply to
+     * [kept], all others to [texts].
      */
     fun critical(port: String, texts: List<String>, kept: List<String>): List<CriticalPercept<String>> {
         val filter = of(port)?.filter?.takeIf { it.critical.isNotEmpty() } ?: return emptyList()
@@ -36,8 +36,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. Rates and smoothing rules also depend
-     * on earlier percepts, which are not known here.
+     * Explains why the filter of the board on [port] keeps or drops [text]; null if there is no filter. Rates and smoothing rules also
+     * depend on earlier percepts, which are not known here.
      */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 

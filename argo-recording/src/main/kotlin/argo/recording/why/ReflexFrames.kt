@@ -10,10 +10,9 @@ import argo.recording.ReflexEnd
  * @param filters the filters at the beginning of the first of [cycles]
  */
 internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {
-    /** Returns the cause of [reflex], whose command is [command]. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
-        // The newest frame up to the command, or else the next frame: an agent may take a board's report shortly before the frame.
+        // Takes the newest frame up to the command or, without one, the next frame. An agent may take a board's report before the frame.
         val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }

@@ -29,9 +29,9 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent in its replay. A trace finds the causes of events, the chosen plans with their conditions, and the beliefs and commands
- * of steps. A trace passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before
- * the agent looks for a plan.
+ * Follows an agent in its replay. Finds the causes of events, the chosen plans with their conditions, and the beliefs and commands of
+ * steps. Passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before the agent
+ * searches for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -56,11 +56,11 @@ internal class Trace(
     var sent: Map<String, StepCause> = emptyMap()
         private set
 
-    /** The plan that the agent chose for the last event that [taken] got; null: none so far. */
+    /** The plan that the agent chose for the last event of [taken]; null if it has chosen none. */
     var chosen: PlanCause? = null
         private set
 
-    /** The agent's transition system; set in its first cycle. */
+    /** The agent's transition system. The agent's first cycle sets it. */
     lateinit var ts: TransitionSystem
         private set
 
@@ -116,7 +116,7 @@ internal class Trace(
         }
     }
 
-    /** Returns the belief that a person set; null: the agent has refused the order. */
+    /** Returns the belief that a person set; null if the agent has refused the order. */
     private fun believed(order: Order.Believe): Literal? = try {
         literalOf(order.literal.trim().removePrefix("-+").removePrefix("+")).capply(Unifier()) as Literal
     } catch (_: IllegalArgumentException) {
@@ -133,7 +133,7 @@ internal class Trace(
     }
 
     override fun ruleApplied() {
-        if (isWatching) return // Jason also calls this when it evaluates a formula for this class
+        if (isWatching) return // Jason also calls this function when it evaluates a formula for this class
         isWatching = true
         try {
             inputs.ruleApplied()
@@ -163,7 +163,7 @@ internal class Trace(
         }
     }
 
-    /** If an intention has split into the branches of `|&|` or `|||`, assigns the branches to the plan with that operator. */
+    /** If an intention has split into the branches of `|&|` or `|||`, assigns the branches to the plan with the operator. */
     private fun adoptSplit() {
         val (means, adopted) = splitting ?: return
         splitting = null
@@ -216,7 +216,7 @@ internal class Trace(
         return Adopted(cause)
     }
 
-    /** Returns true if [plan] calls itself as its last step, so that Jason forgets the earlier call. */
+    /** Returns true if [plan] calls itself as its last step. Jason then forgets the earlier call. */
     private fun isTail(intention: Intention, plan: Plan): Boolean =
         intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
 
@@ -238,7 +238,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means]. The agent adopted that plan before the replay began, so its cause is not known. */
+    /** Returns the plan of [means]. The agent chose the plan before the replay began, so its cause is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
@@ -271,7 +271,7 @@ internal class Trace(
 
     private fun note(belief: Literal, cause: Cause) {
         val key = normal(keyOf(belief))
-        notes.remove(key) // so that the newest note comes last
+        notes.remove(key) // keeps the newest note last
         notes[key] = cause
     }
 
@@ -308,7 +308,7 @@ internal class Trace(
 
     val now: Double get() = clock.seconds(cycle.ns)
 
-    /** Returns the cause of [event], which the agent took in this cycle; null: it is not known. */
+    /** Returns the cause of [event], which the agent took in this cycle; null if it is not known. */
     fun causeOf(event: Event): Cause? {
         val intention = event.intention?.takeUnless { it === Intention.EmptyInt || it.isFinished }
         return intention?.peek()?.let { means -> adopted[means]?.let { stepOf(means, it) } } ?: origins[event]

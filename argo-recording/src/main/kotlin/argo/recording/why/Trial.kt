@@ -23,6 +23,7 @@ internal class Trial(
     /**
      * Runs the agent on its recorded input up to the cycle [last], and calls [ran] after each cycle. Returns the trace that [traceOf]
      * makes.
+     *
      * @throws RecordingException if the agent's course differs from the recorded one
      */
     fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace): Trace {
@@ -50,7 +51,7 @@ internal class Trial(
 
     /**
      * Runs the agent up to the cycle [last]. From the cycle [from] on, [changed] changes the agent's percepts. Returns the commands since
-     * [from]. Recorded commands have their recorded outcomes; other commands end at once.
+     * [from]. Recorded commands have their recorded outcomes. Other commands end at once.
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
         val wanted = cycles.asSequence().takeWhile { it.index <= last }

@@ -142,7 +142,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         for (argument in term.terms.orEmpty()) if (argument is PlanBody) yieldAll(steps(argument))
     }
 
-    /** Returns the percepts that match literals of [context] and that boards have sent, but that the agent does not believe. */
+    /** Returns the sent percepts that match literals of [context] and that the agent does not believe. */
     private fun missedBy(context: LogicalFormula?, trace: Trace): List<Missed> =
         literals(context).filter { trace.ts.ag.findBel(it, Unifier()) == null }.mapNotNull { missed(it) }
 

@@ -13,7 +13,7 @@ import jason.asSyntax.Literal
  * Explains why the agents of [recording] issued a command, or did not. For an explanation, Jason runs an agent again on its recorded input,
  * and a [Trace] watches the agent.
  *
- * Close the object at the end. For one thread; a program can run one replay at a time.
+ * Close the object at the end. For one thread. A program can run one replay at a time.
  */
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
@@ -28,7 +28,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     /**
      * Explains why [command] was issued. If the command is a reflex, does not search for other values of percepts.
      *
-     * @param isTrying whether to search for a percept that, with another value, would have kept the agent from the command
+     * @param isTrying whether to search for a percept that would have kept the agent from the command if its value were different
      * @throws RecordingException if the agent cannot be replayed up to the command, or its course differs from the recorded one
      */
     fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {
@@ -49,7 +49,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
+     * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have equal functors, and equal
      * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
      * @throws RecordingException like [answer], and if [percept] is no percept, or is the recorded percept itself
@@ -65,8 +65,9 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Explains why [agent] did not issue the command of [question] up to the question's time; without a time, up to the end of the
-     * recording.
+     * Explains why [agent] did not issue the command of [question] up to the question's time. If the question has no time, explains it up
+     * to the end of the recording.
+     *
      * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
@@ -84,7 +85,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see the step.
+     * Returns the step by which [agent] sent the message [id] in [cycle]; null if the replay did not see the step.
+     *
      * @throws RecordingException like [answer]
      */
     internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? = trace(agent, cycle.index).sent[id]
@@ -100,7 +102,6 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun causeOf(command: RecordedCommand): StepCause? =
         trace(command.agent, command.index).issued.getOrNull(replayedBefore(command))?.cause
 
-    /** Replays [agent] up to the cycle with the index [last]. */
     private fun trace(agent: String, last: Long): Trace {
         val cycles = cyclesOf(agent)
         requireReplayed(agent, last)

@@ -8,11 +8,13 @@ import jason.asSemantics.InternalAction
 import java.nio.file.Path
 import java.util.jar.JarFile
 
-/** The table has each internal action and function that a version of Jason brings. */
+/** Checks that the table has each internal action and function of the newest and of the used version of Jason. */
 class JasonCodeSpec : FunSpec({
     val here = Path.of(InternalAction::class.java.protectionDomain.codeSource.location.toURI())
 
-    /** Returns the class names of the actions and functions in [jar]; this Java may be too old to load some of them. */
+    /**
+     * Returns the class names of the actions and functions in [jar], without loading the classes, since this Java may be too old for some.
+     */
     fun codeIn(jar: Path): List<String> = JarFile(jar.toFile()).use { file ->
         file.entries().asSequence().map { it.name }.filter { it.startsWith("jason/stdlib/") || it.startsWith("jason/functions/") }
             .filter { it.endsWith(".class") && '$' !in it }.map { it.removeSuffix(".class").replace('/', '.') }

@@ -23,7 +23,6 @@ import jason.asSyntax.Term
 import jason.asSyntax.UnnamedVar
 import jason.asSyntax.VarTerm
 
-/** A term is read from its recorded text as the same term. */
 class TermTextSpec : FunSpec({
     fun shouldReturn(term: Term) {
         val text = textOf(term)
@@ -69,7 +68,7 @@ class TermTextSpec : FunSpec({
     test("an atom is no literal without arguments") {
         textOf(LiteralImpl("hello")) shouldBe "hello()"
         literalText(LiteralImpl("hello")) shouldBe "hello"
-        literalText(Atom("hello")) shouldBe "#atom(hello)" // Jason does not believe it
+        literalText(Atom("hello")) shouldBe "#atom(hello)" // Jason does not believe an atom
     }
 
     test("a variable keeps the number that Jason gave it, and reading gives out none") {

@@ -34,10 +34,10 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 import kotlin.random.Random
 
-/** Draws terms of all kinds that Jason has. */
+/** Generates terms of all kinds that Jason has. */
 internal fun Arb.Companion.terms(): Arb<Term> = arbitrary { DrawnTerms(it.random).term(4) }
 
-/** Draws literals such as percepts and beliefs. */
+/** Generates literals such as percepts and beliefs. */
 internal fun Arb.Companion.literals(): Arb<Literal> = arbitrary {
     DrawnTerms(it.random).run { if (it.random.nextInt(5) == 0) Atom(functor()) else literal(3) }
 }
@@ -64,7 +64,7 @@ private class DrawnTerms(private val random: Random) {
         else -> Rule(literal(depth - 1), formula(depth - 1)).apply { setAsTerm(sometimes(2)) }
     }
 
-    /** Draws an element of a set. Sets sort their elements, and Jason cannot compare terms of every kind. */
+    /** Generates an element of a set. Sets sort their elements, and Jason cannot compare terms of every kind. */
     private fun ground(depth: Int): Term = if (depth > 1 && sometimes()) Structure("f").addTerms(number(), Atom(functor())) else number()
 
     private fun number() = NumberTermImpl(
@@ -162,7 +162,6 @@ private class DrawnTerms(private val random: Random) {
     }
 }
 
-/** Returns the differences between [one] and [other]. */
 internal fun differences(one: Any?, other: Any?): List<String> {
     fun <T : Any> differing(what: String, of: T.() -> Any?): List<String> {
         @Suppress("UNCHECKED_CAST")
@@ -212,5 +211,7 @@ private fun literalDifferences(one: Literal, other: Literal): List<String> {
 private fun of(one: List<Term>, other: List<Term>): List<String> =
     if (one.size != other.size) listOf("$one, not $other") else one.zip(other).flatMap { (a, b) -> differences(a, b) }
 
-/** Returns the class of [term]. For Jason's annotation of an anonymous class, which behaves as a literal, that is the class of literals. */
+/**
+ * Returns the class of [term]. Jason's anonymous class for an annotation behaves like a literal, so for it returns the class of literals.
+ */
 private fun classOf(term: Any): Class<*> = if (term is Pred && term.javaClass.isAnonymousClass) LiteralImpl::class.java else term.javaClass

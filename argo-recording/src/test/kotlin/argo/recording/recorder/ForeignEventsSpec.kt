@@ -8,7 +8,6 @@ import jason.asSemantics.Event
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax.parseTrigger
 
-/** Which events of an agent other threads have added. */
 class ForeignEventsSpec : FunSpec({
     fun event(text: String) = Event(parseTrigger(text), Intention.EmptyInt)
 

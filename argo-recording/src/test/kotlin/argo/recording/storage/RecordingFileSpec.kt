@@ -53,7 +53,7 @@ private class FaultyDisk(path: Path) : SeekableByteChannel by FileChannel.open(p
     override fun write(source: ByteBuffer): Int = throw IllegalStateException("a fault")
 }
 
-/** A disk that takes nothing until [awake]. */
+/** A disk that writes nothing until [awake] is released. */
 private class SlowDisk(private val disk: FileChannel) : SeekableByteChannel by disk {
     val awake = CountDownLatch(1)
 
@@ -181,7 +181,7 @@ class RecordingFileSpec : FunSpec({
             program.destroyForcibly().waitFor(60, TimeUnit.SECONDS)
         }
         val times = offered.map { it.toLong() }
-        val stallNs = times.zipWithNext { one, next -> next - one }.max() // a busy machine holds the file's writer up, too
+        val stallNs = times.zipWithNext { one, next -> next - one }.max() // a busy machine also delays the file's writer
         val old = times.filter { it < times.last() - TimeUnit.SECONDS.toNanos(1) - 2 * stallNs }
         McapReader(path).use { read ->
             val stored = read.messages().map { it.logTimeNs }.toList()
