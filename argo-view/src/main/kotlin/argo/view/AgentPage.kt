@@ -3,7 +3,7 @@ package argo.view
 import argo.observing.ObservedAgent
 import java.net.URLEncoder
 
-/** The page of one agent: [routes] respond to its requests, and [states] are streamed to it. */
+/** The page of one agent. [routes] responds to its requests, and the page receives [states] as a stream. */
 internal class AgentPage(val agent: ObservedAgent) {
     val breakpoints = PageBreakpoints(agent)
     val routes = Routes(agent, HandRoutes(agent, breakpoints))

@@ -12,7 +12,9 @@ import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
-/** Records the latest events of [agent] for its view, in bounded memory. Safe on any thread; each event holds the lock briefly. */
+/**
+ * Records the latest events of [agent] for its view, in bounded memory. Safe for use by several threads. Each event holds the lock briefly.
+ */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
     val mind = MindWatch({ MindState.of(agent) }, log, agent::nanos)
 
@@ -28,7 +30,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var changes = 0L
     private val printed = PrintRecord(agent::nanos) { changing {} }
 
-    /** A number that grows with each event, but not with the end of a cycle. */
+    /** A number that grows with each event, but not at the end of a cycle. */
     val version: Long get() = lock.withLock { changes }
 
     /** Reads the agent's log from now on, until [close]. */
@@ -93,7 +95,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private companion object {
         const val MAX_PORTS = 256
 
-        /** The most messages kept until they are shown: as many as a board sends in 0.1 s at 115200 baud, percept by percept. */
+        /** The largest number of messages that wait to be shown. A board sends so many in 0.1 s at 115200 baud, one percept in each. */
         const val MAX_UNSEEN = 64
     }
 }
@@ -115,10 +117,8 @@ internal class Recorded(
     val printed: List<LineState>,
 )
 
-/** A port came into the state [status] at [nanos]. */
 internal class PortChange(val status: String, val reason: String?, val nanos: Long)
 
-/** A message was perceived at [nanos], [delayNanos] after its last byte. */
 internal class PerceptionTime(val nanos: Long, val delayNanos: Long)
 
 /** The numbers of received messages, of perceived messages, of commands that have ended, and of cycles. */

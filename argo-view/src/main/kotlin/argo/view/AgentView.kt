@@ -11,8 +11,8 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. The option `argo_view=8080` of an agent
- * opens it; `argo_view=0` takes any free port. The view is one of [argo.Arch.observers]. Agents of one program with the same number share
- * the port, and their pages have links to each other.
+ * opens the view. `argo_view=0` takes any free port. The view is one of [argo.Arch.observers]. If agents of one program have equal numbers,
+ * they share the port, and their pages have links to each other.
  *
  * Neither the agent nor its sensing ever waits for the view. Safe for use by several threads.
  */
@@ -48,15 +48,15 @@ class AgentView private constructor(
     val address: URI get() = server.address.resolve(page.path)
 
     /**
-     * Shows a picture at the top of the page. The view's thread calls [picture]: ten times a second at most while a page is open, and once
-     * when the agent has ended. [picture] must return soon; null: there is nothing to show. If [picture] throws, the exception is logged,
-     * and there is no further call.
+     * Shows a picture at the top of the page. The view's thread calls [picture] at most ten times a second while a page is open. It also
+     * calls [picture] once when the agent has ended. [picture] must return soon. If [picture] returns null, nothing is shown. If [picture]
+     * throws, the exception is logged, and there is no further call.
      */
     fun show(picture: () -> Picture?) {
         composer.picture = picture
     }
 
-    /** Shows the agent's end on the pages, frees the port and ends all threads. Returns at once. Idempotent. */
+    /** Shows the agent's end on the pages, frees the port and ends all threads. Returns at once. Further calls have no effect. */
     override fun close() {
         record.close()
         closing.countDown()

@@ -26,7 +26,7 @@ class AgentViewProvider : AgentObserverProvider {
             refuse("port $port cannot be had, it is in use or not allowed (${taken.message}); choose another, or 0 for any that is free")
         } catch (trouble: IOException) {
             refuse("the view cannot be opened ($trouble)")
-        } catch (missing: LinkageError) { // a Java runtime that was linked without the HTTP server
+        } catch (missing: LinkageError) { // this Java runtime was linked without the HTTP server
             refuse("this Java has no HTTP server, which is in its module jdk.httpserver ($missing)")
         }
     }

@@ -5,8 +5,8 @@ import argo.observing.IssuedCommand
 import java.util.concurrent.TimeUnit
 
 /**
- * An agent's commands: all that have not gone out, and the last of those that have. Equal commands in a row with the same outcome become
- * one command with a count. Not safe for use by several threads.
+ * An agent's commands: all that have not gone out, and the last of the others. Equal commands in a row with equal outcomes become one
+ * command with a count. Not safe for use by several threads.
  */
 internal class CommandRecord {
     private val unfinished = LinkedHashMap<Long, IssuedCommand>()
@@ -35,7 +35,7 @@ internal class CommandRecord {
         finished.addFirst(Ended(command, nanos, failure))
     }
 
-    /** Returns the commands at [now]. The oldest command of a port counts as on the line: only urgent commands overtake others. */
+    /** Returns the commands at [now]. The oldest command of a port counts as on the line, since only urgent commands overtake others. */
     fun state(now: Long): CommandsState {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }

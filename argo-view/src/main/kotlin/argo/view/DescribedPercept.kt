@@ -8,9 +8,10 @@ import kotlin.jvm.optionals.getOrNull
 
 /**
  * A percept, compared with its board's description of percepts.
+ *
  * @property text the percept with its units
- * @property deviation the reason why the percept is not as described; null: it is as described
- * @property ranges the range of each of its numbers, in order; null: no range is described
+ * @property deviation the difference between the percept and the description, in words; null if there is none
+ * @property ranges the range of each number in the percept, in order; null if no range is described
  */
 @Serializable
 internal data class DescribedPercept(val text: String, val deviation: String?, val ranges: List<NumberRange?>) {
@@ -35,9 +36,9 @@ internal data class DescribedPercept(val text: String, val deviation: String?, v
 /**
  * The numbers that a board may send.
  *
- * @property unit their unit; empty: none is given
- * @property min the least number; null: there is no limit
- * @property max the greatest number; null: there is no limit
+ * @property unit their unit; empty if none is given
+ * @property min the smallest number; null if there is no limit
+ * @property max the largest number; null if there is no limit
  */
 @Serializable
 internal data class NumberRange(val unit: String, val min: Double?, val max: Double?) {
@@ -47,5 +48,5 @@ internal data class NumberRange(val unit: String, val min: Double?, val max: Dou
     }
 }
 
-/** The numbers in a percept; a number in a name is part of the name. */
+/** Matches the numbers in a percept. A number in a name is part of the name, and does not match. */
 internal val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")

@@ -6,8 +6,8 @@ import kotlinx.serialization.json.Json
 /**
  * The response to a request.
  *
- * @property allow the resource's methods, if the request used a method that is not among them
- * @property location the resource's address, if it lies elsewhere
+ * @property allow the resource's methods, if the request used another method
+ * @property location the resource's address, if it is elsewhere
  */
 internal class HttpResponse(
     val status: Int, val type: String, val body: ByteArray, val allow: String? = null, val location: String? = null,

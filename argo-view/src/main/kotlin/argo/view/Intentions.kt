@@ -13,10 +13,10 @@ import kotlinx.serialization.Serializable
  * An intention and its plans.
  *
  * @property state `running`, `waiting`, or `suspended` (by the internal action `.suspend`)
- * @property waitsFor the step in which the intention waits; null: it does not wait
- * @property plans the latest first
+ * @property waitsFor the step in which the intention waits; null if it does not wait
+ * @property plans the plans of the intention, the latest first
  * @property more the number of plans left out of [plans]
- * @property goal the goal that the intention began with, without annotations; null: it has no goal
+ * @property goal the goal with which the intention began, without annotations; null if it has no goal
  */
 @Serializable
 internal data class IntentionState(
@@ -32,7 +32,7 @@ internal data class IntentionState(
  * A plan of an intention.
  *
  * @property trigger the triggering event, such as `+!start`
- * @property file the plan's file; null: none
+ * @property file the plan's file; null if there is none
  * @property line the plan's first line in [file]
  */
 @Serializable
@@ -41,7 +41,7 @@ internal data class PlanState(val trigger: String, val file: String?, val line: 
 private const val MAX_PLANS = 10
 private val WAITING = setOf(IntentionPlace.PendingActions, IntentionPlace.PendingIntentions)
 
-/** Returns the present state of [intention]. [key]: Jason's key of a pending intention, else null. For the agent's thread only. */
+/** Returns the current state of [intention]. [key] is Jason's key of a pending intention, else null. For the agent's thread only. */
 internal fun intentionState(intention: Intention, key: String?): IntentionState {
     val means = intention.toList()
     val isSuspended = key?.startsWith(suspend.SUSPENDED_INT) == true

@@ -10,8 +10,9 @@ import java.util.concurrent.Executor
 
 /**
  * Makes a server for browsers on this computer. Drops a connection if its browser has gone or its thread was interrupted.
- * @param port 0 to 65535; 0: any free port
- * @param threads run [handle] for each exchange
+ *
+ * @param port 0 to 65535; 0 for any free port
+ * @param threads runs [handle] for each exchange
  * @throws IOException if the port cannot be opened
  */
 internal fun localServer(port: Int, threads: Executor, handle: (HttpExchange) -> Unit): HttpServer {
@@ -33,7 +34,7 @@ internal fun localServer(port: Int, threads: Executor, handle: (HttpExchange) ->
 
 internal val HttpServer.uri: URI get() = URI("http://127.0.0.1:${address.port}/")
 
-/** Returns the reason for refusing a request for [path], in words; null: it is accepted. */
+/** Returns the reason for refusing a request for [path], in words; null if it is accepted. */
 internal fun HttpExchange.refusal(path: String): String? {
     val (host, origin, fetchSite) = listOf("Host", "Origin", "Sec-Fetch-Site").map(requestHeaders::getFirst)
     return RequestGate.refusal(host, origin, fetchSite, isPage = path == "/")
@@ -43,10 +44,10 @@ internal fun HttpExchange.send(response: HttpResponse) {
     response.location?.let { responseHeaders.add("Location", it) }
     response.allow?.let { responseHeaders.add("Allow", it) }
     begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-    responseBody.use { it.write(response.body) } // the response goes out before the server reads the rest of a long request
+    responseBody.use { it.write(response.body) } // sent before the server reads the rest of a long request
 }
 
-/** Begins a response with [status], content of [type] and [length] bytes; see [HttpExchange.sendResponseHeaders]. */
+/** Begins a response with [status], content of [type] and [length] bytes, see [HttpExchange.sendResponseHeaders]. */
 internal fun HttpExchange.begin(status: Int, type: String, length: Long) {
     HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
     responseHeaders.add("Content-Type", "$type; charset=utf-8")

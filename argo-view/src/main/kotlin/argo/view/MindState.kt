@@ -27,7 +27,6 @@ internal class MindState(
         /** Returns the mind of [agent]. For the agent's thread only. */
         fun of(agent: ObservedAgent): MindState = of(agent.beliefs, agent.circumstance)
 
-        /** Returns the mind with the beliefs in [base] and the intentions of [circumstance]. */
         fun of(base: BeliefBase, circumstance: Circumstance): MindState {
             val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }

@@ -5,6 +5,7 @@ import java.util.logging.Logger
 
 /**
  * While a page is open, reads an agent's mind: on the agent's thread, between two cycles, at most ten times a second.
+ *
  * @param read returns the mind; called only by the agent's thread
  * @param nanos a clock in ns that never goes back
  */
@@ -16,7 +17,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
             field = value
         }
 
-    /** The result of the last look; null: there was none yet. */
+    /** The result of the last look; null if there was none yet. */
     @Volatile
     var newest: Seen? = null
         private set
@@ -40,14 +41,14 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
         }
     }
 
-    /** Returns true if a look was too early at the end of the last cycle, and is due now. The agent may be asleep since then. */
+    /** Returns true if the look at the end of the last cycle came too early, and is due now. The agent may be asleep since then. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true
 
     private fun seen(): Seen? = try {
         Seen(nanos(), read())
-    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or if another thread changes it
+    } catch (changed: RuntimeException) { // by a project's own belief base, or since another thread changes it
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true
         null
@@ -57,7 +58,7 @@ internal class MindWatch(private val read: () -> MindState, private val log: Log
     class Seen(val nanos: Long, val mind: MindState)
 
     companion object {
-        /** The least time between two looks, in ns. */
+        /** The shortest time between two looks, in ns. */
         val INTERVAL_NANOS: Long = TimeUnit.MILLISECONDS.toNanos(100)
     }
 }

@@ -5,12 +5,12 @@ import kotlinx.serialization.Serializable
 
 /** The breakpoints that the pages of [agent] have set. Safe for use by several threads. */
 internal class PageBreakpoints(private val agent: ObservedAgent) {
-    /** The lines with breakpoints, and those that had one before a reload took the line away. */
+    /** The lines with breakpoints, and the lines that a reload has removed. */
     val all: List<BreakpointState>
         get() = agent.pausing.breakpoints(this).map { BreakpointState(it.file, it.line ?: it.wanted, it.refusal) }
             .distinct().sortedWith(compareBy({ it.file }, { it.line }))
 
-    /** Sets a breakpoint at [line] of [file], or at a later line of its plan. Returns where the agent stops, or why it does not. */
+    /** Sets a breakpoint at [line] of [file], or at a later line of its plan. Returns where the agent stops, or why it does not stop. */
     @Synchronized
     fun set(file: String, line: Int): HttpResponse {
         val before = linesOf(file)
@@ -33,6 +33,6 @@ internal class PageBreakpoints(private val agent: ObservedAgent) {
     }
 }
 
-/** A line at which the agent stops; [lost] is the reason why the agent no longer stops there. */
+/** A line at which the agent stops. [lost] is the reason why the agent no longer stops there, or null. */
 @Serializable
 internal data class BreakpointState(val file: String, val line: Int, val lost: String? = null)

@@ -2,7 +2,7 @@ package argo.view
 
 import java.util.concurrent.Semaphore
 
-/** Limits the number of open pages of all agents together. Any thread may call it. */
+/** Limits the total number of open pages of all agents. Any thread may call the functions. */
 internal class PageSeats {
     private val free = Semaphore(MAX_PAGES)
 

@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The last percept of each sensor. Percepts of a board that differ only in numbers belong to one sensor. After [FORGOTTEN_NANOS] ns without
- * a percept a sensor is forgotten, unless its whole board is silent. Not safe for use by several threads.
+ * a percept a sensor is forgotten. If its whole board is silent, the sensor is kept. Not safe for use by several threads.
  */
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
@@ -15,14 +15,14 @@ internal class PerceptRows {
     private val sizes = HashMap<String, Int>() // number of percepts in the newest message, by port
     private val newest = HashMap<String, Long>() // time of the newest message, by port
 
-    /** The time of the last byte of the newest message, by the agent's clock; null: none has come. */
+    /** The time of the last byte of the newest message, by the agent's clock; null if none has come. */
     var newestNanos: Long? = null
         private set
 
     var moreCourses = 0
         private set
 
-    /** Takes in the next message. [isAlone]: the agent perceives no other board, so the rows of other boards are removed. */
+    /** Takes in the next message. If [isAlone] is true, the agent perceives no other board, and the rows of other boards are removed. */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()
@@ -79,7 +79,7 @@ internal class PerceptRows {
         return shown to sizes.values.sum() - rows.values.count { it.seenNanos == newest[it.port] }
     }
 
-    /** Returns the courses of the first [MAX_COURSES] sensors with numbers, until [now]: their [RecentNumbers.values], by key. */
+    /** Returns the [RecentNumbers.values] of the first [MAX_COURSES] sensors with numbers, until [now], by key. */
     fun courses(now: Long): Map<String, List<List<Double?>>> {
         val all = rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }
         moreCourses = maxOf(0, all.size - MAX_COURSES)

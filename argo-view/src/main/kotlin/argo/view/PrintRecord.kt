@@ -8,7 +8,7 @@ import java.util.logging.LogRecord
 import java.util.logging.SimpleFormatter
 
 /**
- * The last lines of an agent's log. Safe for use by several threads; a printing thread waits only until its line is noted.
+ * The last lines of an agent's log. Safe for use by several threads. A printing thread waits only until its line is noted.
  *
  * @param nanos a clock in ns that never goes back
  * @param changed called after each line
@@ -36,7 +36,6 @@ internal class PrintRecord(private val nanos: () -> Long, private val changed: (
         lines += Line(++count, text, level, nanos())
     }
 
-    /** Returns the lines at [now], the latest first. */
     fun state(now: Long): List<LineState> = synchronized(lines) {
         lines.asReversed().map { LineState(it.number, it.text, it.times, it.isWarning, ms(now - it.nanos)) }
     }

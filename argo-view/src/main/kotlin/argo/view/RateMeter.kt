@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit
 internal class RateMeter {
     private val samples = ArrayDeque<Pair<Long, Counts>>()
 
-    /** Returns the rates at [now]; null: too little time to measure. [counts] are the numbers of events until [now]. */
+    /** Returns the rates at [now]; null if the measured time is too short. [counts] are the numbers of events until [now]. */
     fun rates(now: Long, counts: Counts): Rates? {
         samples += now to counts
         while (samples.size > 2 && now - samples[1].first >= WINDOW_NANOS) samples.removeFirst()

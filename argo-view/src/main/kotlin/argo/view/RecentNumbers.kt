@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit
 internal class RecentNumbers {
     private val points = ArrayDeque<Point>()
 
-    /** Notes that the sensor gave [numbers] at [nanos]; [nanos] never goes back. */
+    /** Notes that the sensor gave [numbers] at [nanos]. [nanos] never goes back. */
     fun add(numbers: List<Double>, nanos: Long) {
         val step = Math.floorDiv(nanos, STEP_NANOS)
         if (points.lastOrNull()?.step == step) points.removeLast()
@@ -14,7 +14,9 @@ internal class RecentNumbers {
         while (points.size > STEPS) points.removeFirst()
     }
 
-    /** Returns [STEPS] values of each number until [now], oldest first; null: the half second had no number, or an infinite one. */
+    /**
+     * Returns [STEPS] values of each number until [now], oldest first. A value is null if its half second had no number or an infinite one.
+     */
     fun values(now: Long): List<List<Double?>> {
         val last = Math.floorDiv(now, STEP_NANOS)
         val numbers = points.lastOrNull()?.numbers?.size ?: 0

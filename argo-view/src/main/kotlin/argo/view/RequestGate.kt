@@ -1,16 +1,16 @@
 package argo.view
 
 /**
- * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests here: under its own host name,
- * which leads to this computer (DNS rebinding), or in its visitor's name (CSRF).
+ * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests to this server. The page may
+ * use its own host name, which leads to this computer (DNS rebinding), or its visitor's name (CSRF).
  */
 internal object RequestGate {
     private val LOOPBACK = Regex("""(127\.0\.0\.1|localhost|\[::1])(:\d{1,5})?""", RegexOption.IGNORE_CASE)
 
     /**
-     * Returns the reason for refusing a request, in words; null: it is accepted.
+     * Returns the reason for refusing a request, in words; null if it is accepted.
      *
-     * [host] may name any port: the view may be behind a tunnel.
+     * [host] may name any port, since the view may be behind a tunnel.
      *
      * @param host the header `Host`
      * @param origin the header `Origin`, which browsers send with every request except plain GETs of the page itself

@@ -9,8 +9,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer requests to a server of views. Each thread answers one request at a time. A client that does not finish its
- * request or read its response blocks its thread until [interruptStalled]. Safe for use by several threads.
+ * The threads that answer requests to a server of views. Each thread answers one request at a time. If a client does not finish its request
+ * or read its response, it blocks its thread until [interruptStalled]. Safe for use by several threads.
  *
  * @param name the server's name, for the threads' names
  * @param nanos a clock in ns that never goes back
@@ -23,7 +23,7 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         Thread(work, "argo-$name-view-${numbers.incrementAndGet()}").apply { isDaemon = true }
     }.apply { allowCoreThreadTimeOut(true) }
 
-    /** Runs [request], which begins by reading from its client; see [stopWaiting]. */
+    /** Runs [request], which begins by reading from its client, see [stopWaiting]. */
     override fun execute(request: Runnable) = pool.execute { waiting { request.run() } }
 
     /** Does [io] while the calling thread waits for its client. */
@@ -38,10 +38,12 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
 
     /** Ends the calling thread's wait for its client. */
     fun stopWaiting() = lock.withLock {
-        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interrupt of a wait that is over
+        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // the wait is over, so clears its interrupt
     }
 
-    /** Ends each wait of more than [MAX_WAIT_NANOS], or of a tenth of this if requests are queued, and closes the client's connection. */
+    /**
+     * Ends waits of more than [MAX_WAIT_NANOS], and closes their connections. If requests are queued, a tenth of this time is the limit.
+     */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }
@@ -54,10 +56,10 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
     }
 
     companion object {
-        /** The time that a client has to send its request or to read its response; enough for a slow tunnel. */
+        /** How long a client may take to send its request or to read its response. This is enough for a slow tunnel. */
         val MAX_WAIT_NANOS = TimeUnit.SECONDS.toNanos(10)
 
-        /** Twice the largest number of pages; each page holds one thread. */
+        /** Twice the largest number of pages. Each page occupies one thread. */
         private const val MAX_THREADS = 24
         private const val MAX_QUEUED = 200
         private const val IDLE_S = 5L

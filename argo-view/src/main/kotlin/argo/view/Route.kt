@@ -8,15 +8,15 @@ import java.util.concurrent.TimeUnit
 /** Responds to requests for one path by [respond], if they use [method]. */
 internal class Route(val method: String, val respond: (Request) -> HttpResponse) {
     companion object {
-        /** The longest request body that is read, in bytes. */
+        /** The largest request body that is read, in bytes. */
         const val MAX_BYTES = 10_000
 
-        /** The time for which a request waits for an agent, in s. */
+        /** How long a request waits for an agent, in s. */
         const val MAX_WAIT_S = 3L
 
         fun get(respond: (Request) -> HttpResponse) = Route("GET", respond)
 
-        /** Makes a route for requests whose body is a [T] in JSON. */
+        /** Makes a route for requests with a [T] in JSON as their body. */
         inline fun <reified T> post(crossinline respond: (T) -> HttpResponse) = Route("POST") { request ->
             refusal(request) ?: try {
                 respond(Json.decodeFromString<T>(request.body.decodeToString()))
@@ -33,8 +33,8 @@ internal class Route(val method: String, val respond: (Request) -> HttpResponse)
         }
 
         /**
-         * Lets an agent do something, and returns its answer. If there is no answer within [MAX_WAIT_S] s, since the agent's thread is busy
-         * or does not run yet, responds with [later].
+         * Lets an agent do something, and returns its answer. If there is no answer within [MAX_WAIT_S] s, responds with [later]. The
+         * agent's thread may be busy, or may not run yet.
          */
         fun awaited(
             later: String = "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s",

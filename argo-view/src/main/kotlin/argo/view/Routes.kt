@@ -11,7 +11,7 @@ import java.util.ServiceConfigurationError
 
 /**
  * Responds to the requests of [agent]'s page and its buttons, except for the stream of states. The thread of a request finds and reads
- * filters; the agent's thread changes the agent. Safe for use by several threads.
+ * filters. The agent's thread changes the agent. Safe for use by several threads.
  */
 internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
     private val routes: Map<String, Route> = mapOf(
@@ -50,7 +50,7 @@ internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
         HttpResponse.message(422, files.map { (source, problems) -> listed(source, problems) }.joinToString("\n"))
     } catch (broken: ServiceConfigurationError) {
         HttpResponse.message(500, "a filter provider on the class path cannot be used: ${broken.message}")
-    } catch (broken: Exception) { // an unreadable file, or a failure of a provider, which is a project's own code
+    } catch (broken: Exception) { // the file is unreadable, or the project's own provider has failed
         HttpResponse.message(500, "looking for $what ended in $broken")
     }
 
@@ -70,7 +70,7 @@ internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
         return Route.awaited { answer -> agent.perceive(open) { answer(HttpResponse.message(200, message)) } }
     }
 
-    /** Makes the agent send [command], and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
+    /** Makes the agent send [command], and waits some seconds for the outcome. The page's list of commands shows the outcome even later. */
     private fun act(command: String): HttpResponse {
         val later = "$command: has not ended within ${Route.MAX_WAIT_S} s; the list of commands shows its outcome"
         return Route.awaited(later) { answer -> agent.act(command) { answer(outcome(command, it)) } }
@@ -96,12 +96,12 @@ internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
 /**
  * A request of a page.
  *
- * @property query the text behind `?`, still encoded
+ * @property query the text after `?`, still encoded
  * @property type the content type of [body]
  */
 internal class Request(val method: String, val path: String, val query: String?, val type: String?, val body: ByteArray)
 
-/** Returns the names and values in [query], the part of the address behind `?`; null: there is none. */
+/** Returns the names and values in [query], the part of the address after `?`; null if there is none. */
 internal fun parametersOf(query: String?): Map<String, String> =
     query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
 

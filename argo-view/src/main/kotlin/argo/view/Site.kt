@@ -10,7 +10,7 @@ internal class Site {
 
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page], which comes before the page of an ending agent with the same name. */
+    /** Adds [page], in front of the page of an ending agent with an equal name. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)
@@ -52,8 +52,8 @@ internal class Site {
     }
 
     /**
-     * @property page the agent's page; null: [path] belongs to no agent
-     * @property path the path within the page, such as `/events`, or else within the site
+     * @property page the agent's page; null if [path] belongs to no agent
+     * @property path the path within the page, such as `/events`, or within the site if there is no page
      */
     class Found(val page: AgentPage?, val path: String)
 

@@ -15,7 +15,7 @@ import java.util.logging.Logger
 import argo.observing.PauseState as ObservedPause
 
 /**
- * Composes the states of the page. For the view's thread only; any thread may set [picture].
+ * Composes the states of the page. For the view's thread only. Any thread may set [picture].
  *
  * @param tabs returns the tabs of agents, and the number of left-out agents
  */
@@ -56,7 +56,7 @@ internal class StateComposer(
         messages.forEach { rows.add(it, isAlone) }
     }
 
-    /** Returns the filter in words, with its parts that have no effect. Searches for parts without effect only once. */
+    /** Returns the filter in words, with its parts that have no effect. Searches for these parts only once. */
     private fun filterState(filter: PerceptionFilter): FilterState {
         if (shownFilter?.first !== filter) {
             val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")
@@ -66,7 +66,8 @@ internal class StateComposer(
     }
 
     /**
-     * Returns the state to show now. [isLast]: the agent has ended. The state has courses of numbers once a second; with [isFull], always.
+     * Returns the state to show now. If [isLast] is true, the agent has ended. The state has courses of numbers once a second. If [isFull]
+     * is true, it always has them.
      */
     fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()

@@ -6,10 +6,11 @@ import java.net.URI
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Serves the views of agents to browsers on this computer. The constructor opens the port. Call [start] on a daemon thread: only then is
- * the server's own thread a daemon.
+ * Serves the views of agents to browsers on this computer. The constructor opens the port. Call [start] on a daemon thread, since otherwise
+ * the server's own thread is no daemon.
+ *
  * @param name the beginning of the threads' names
- * @param port 0 to 65535; 0: any free port
+ * @param port 0 to 65535; 0 for any free port
  * @param nanos a clock in ns that never goes back
  * @throws IOException if the port cannot be opened
  */
@@ -29,10 +30,10 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     /** Frees the port and ends all connections. Returns at once. Called once. */
     fun closePort() = server.stop(0)
 
-    /** Ends all threads, after [closePort]. */
+    /** Ends all threads. Called after [closePort]. */
     fun endThreads() = threads.stop()
 
-    /** Closes the connections of clients that take too long: see [RequestThreads.interruptStalled]. */
+    /** Closes the connections of clients that take too long, see [RequestThreads.interruptStalled]. */
     fun closeStalled() = threads.interruptStalled()
 
     private fun handle(exchange: HttpExchange) {
@@ -73,7 +74,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
 
         val FULL = HttpResponse.message(503, "too many pages are open; close one and load this one again")
 
-        /** A browser that has lost its connection tries again after this time, in ms. */
+        /** If a browser has lost its connection, it tries again after this time, in ms. */
         const val RETRY_MS = 1000
     }
 }

@@ -3,16 +3,16 @@ package argo.view
 import kotlinx.serialization.Serializable
 
 /**
- * The content of a page at one moment. Times are ages in ms. Long lists are cut; the state then has the number of left-out entries.
+ * The content of a page at one moment. Times are ages in ms. Long lists are cut, and the state then has the number of left-out entries.
  *
- * @property intervalMs the sensing interval of boards without their own
- * @property skewMs the time between the oldest and the newest reading of the boards; null: the agent perceives fewer than two boards
+ * @property intervalMs the sensing interval of boards without their own interval
+ * @property skewMs the time between the oldest and the newest reading; null if the agent perceives fewer than two boards
  * @property printed the agent's printed lines, the latest first
- * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
+ * @property courses the [RecentNumbers.values] of sensors during the last minute, by [PerceptState.key]; null if unchanged
  * @property moreCritical the number of critical rules left out of [critical]
- * @property agents the agents whose views this server has
+ * @property agents the agents with a view on this server
  * @property moreAgents the number of agents left out of [agents]
- * @property computers the computers of the system; empty: the system is on one computer
+ * @property computers the computers of the system; empty if the system is on one computer
  * @property breakpoints the lines at which pages make the agent stop
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
@@ -47,9 +47,9 @@ internal data class ViewState(
 /**
  * A computer of the system.
  *
- * @property near whether a browser on this computer can open the computer's live views
- * @property agents the first of its agents
- * @property more the number of its other agents
+ * @property near whether a browser on this computer can open the other computer's live views
+ * @property agents the first of the computer's agents
+ * @property more the number of the computer's other agents
  */
 @Serializable
 internal data class ComputerState(
@@ -65,17 +65,17 @@ internal data class ComputerState(
 /**
  * An agent on a computer.
  *
- * @property viewPort the port of the agent's live view on that computer; null: there is no view, or its port is not fixed
+ * @property viewPort the port of the agent's live view on its computer; null if there is no view or no fixed port
  */
 @Serializable
 internal data class AgentState(val name: String, val viewPort: Int?)
 
 /**
- * Whether the agent goes on.
+ * Whether the agent runs.
  *
  * @property phase `running`, `making_safe` while its boards are made safe, or `paused`
  * @property words why the agent is paused, and the result of making its boards safe, in lines
- * @property intention the number of the intention in which the agent is paused; null: the agent is not paused within an intention
+ * @property intention the number of the intention in which the agent is paused; null if it is not paused within an intention
  */
 @Serializable
 internal data class PauseState(val phase: String, val words: String, val intention: Int?)
@@ -88,8 +88,8 @@ internal data class FilterState(val name: String, val words: String)
  *
  * @property rule the rule and its reflex in words
  * @property watcher `board` or `computer`
- * @property reflex the reflex's last outcome, `done` or `failed`; null: none yet
- * @property by the side that had the reflex carried out: `board` or `computer`
+ * @property reflex the reflex's last outcome, `done` or `failed`; null if there is none yet
+ * @property by `board` or `computer`: which of them started the reflex
  * @property ageMs the age of the outcome
  * @property error the reason of the reflex's failure
  */
@@ -108,11 +108,11 @@ internal data class CriticalState(
  *
  * @property stale whether no message comes from the port although the agent perceives
  * @property perceived whether the agent perceives the port's board
- * @property namespace the namespace of its board's percepts; null: the default namespace
- * @property intervalMs the sensing interval of its board; null: the board is not perceived
- * @property filter the name of the board's filter; null: none
+ * @property namespace the namespace of the percepts of the port's board; null for the default namespace
+ * @property intervalMs the sensing interval of the port's board; null if the board is not perceived
+ * @property filter the name of the board's filter; null if there is none
  * @property reason the reason why the port is not on, if known
- * @property ageMs the time since the port came into this state
+ * @property ageMs the time since the last change of [status]
  */
 @Serializable
 internal data class PortState(
@@ -131,8 +131,8 @@ internal data class PortState(
 /**
  * The percepts of the boards, and the times of the newest message and perception.
  *
- * @property frameAgeMs the age of the newest message; null: no message has come
- * @property handedOverAgeMs the time since the agent last perceived a message; null: it has perceived none
+ * @property frameAgeMs the age of the newest message; null if no message has come
+ * @property handedOverAgeMs the time since the agent last perceived a message; null if it has perceived none
  * @property delayMs the age of the last perceived message at its perception
  * @property more the number of percepts left out of [percepts]
  * @property moreCourses the number of sensors with numbers but without a shown course
@@ -151,12 +151,12 @@ internal data class SensorState(
  * A percept as it came off the line.
  *
  * @property key identifies the sensor; readings of one sensor differ only in numbers
- * @property board the namespace of the percept's board; null: none
+ * @property board the namespace of the percept's board; null if there is none
  * @property fate `kept`, `dropped`, `held` (back), or `unreadable` if the filter keeps it but it is not a percept
  * @property silent whether the board is silent
  * @property ageMs the time since the percept last came
  * @property sameMs the time since the percept last changed
- * @property described the percept, compared with the board's description; null: the board describes no percepts
+ * @property described the percept, compared with the board's description; null if the board describes no percepts
  */
 @Serializable
 internal data class PerceptState(
@@ -173,8 +173,8 @@ internal data class PerceptState(
 /**
  * The agent's beliefs.
  *
- * @property ageMs the age of this look at the belief base; null: there was none yet
- * @property total the number of all beliefs, also of those that [beliefs] leaves out
+ * @property ageMs the age of this look at the belief base; null if there was none yet
+ * @property total the number of all beliefs, including those left out of [beliefs]
  */
 @Serializable
 internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: List<Belief>)
@@ -183,12 +183,12 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
  * A belief, or a rule.
  *
  * @property sources `percept`, `self` or agents
- * @property whole the belief with its sources, so that a person can make the agent forget it; null: a percept, a rule, or too long
+ * @property whole the belief with its sources, for the button that forgets it; null for a percept, a rule, or a long belief
  */
 @Serializable
 internal data class Belief(val text: String, val sources: List<String>, val whole: String?)
 
-/** The agent's intentions; [total] also counts those that [intentions] leaves out. */
+/** The agent's intentions. [total] also counts those left out of [intentions]. */
 @Serializable
 internal data class IntentionsState(val total: Int, val intentions: List<IntentionState>)
 
@@ -202,9 +202,9 @@ internal data class IntentionsState(val total: Int, val intentions: List<Intenti
 internal data class AgentTab(val name: String, val silent: Boolean)
 
 /**
- * The agent's commands: [unfinished] has those that have not gone out, the oldest first; [finished] has the others, the newest first.
+ * The agent's commands. [unfinished] has those that have not gone out, the oldest first. [finished] has the others, the newest first.
  *
- * @property waiting the number of all commands that have not gone out, also of those that [unfinished] leaves out
+ * @property waiting the number of all commands that have not gone out, including those left out of [unfinished]
  */
 @Serializable
 internal data class CommandsState(val waiting: Int, val unfinished: List<CommandState>, val finished: List<CommandState>)

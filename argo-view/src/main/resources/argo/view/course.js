@@ -1,6 +1,6 @@
 'use strict';
-// Draws a sensor's numbers of the last minute: a small line for each number, with a gap where no message came. If the board describes a
-// range, the number is drawn in that range.
+// Draws a sensor's numbers of the last minute. Each number is a small line, with a gap where no message came. If the board describes a
+// range, the number is drawn in this range.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 20;
@@ -16,7 +16,7 @@ function heightOf(value, low, high) {
   return (high === low ? HEIGHT / 2 : 2 + (HEIGHT - 4) * (1 - (value - low) / (high - low))).toFixed(1);
 }
 
-/** Returns the path through [values], scaled to the drawing's height; a single value is a short line. */
+/** Returns the path through [values], scaled to the drawing's height. A single value is a short line. */
 function coursePath(values, low, high) {
   let path = '';
   let isDrawing = false;
@@ -43,7 +43,7 @@ function drawRange(svg, values, range, low, high) {
 }
 
 /**
- * Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has each number's range; null: no range.
+ * Shows [numbers], the values of each number, in [box]. Shows nothing if there are none. [ranges] has each number's range, or null.
  */
 function showCourse(box, numbers, ranges = []) {
   const key = JSON.stringify([numbers || [], ranges]);

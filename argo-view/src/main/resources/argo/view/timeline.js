@@ -8,7 +8,7 @@ const NAMES = { LINE: 'line', PERCEPTS: 'percepts', EVENTS: 'events', INTENTIONS
 const LANE_HEIGHT = 44;
 const HEAD = 26;           // height of an agent's name
 const AXIS = 24;
-const PIXELS_EACH = 3;     // the least width of an item; more items than fit become heaps
+const PIXELS_EACH = 3;     // the smallest width of an item; if items do not fit, they become heaps
 const NEAR = 14;           // pixels from an item within which a click chooses it
 const LEAST_SPAN = 0.002;  // seconds
 const NEAR_COMMAND = 1;    // seconds shown before and after a command that the address asks about
@@ -19,7 +19,7 @@ let from = 0, until = 1;   // the part in view, in seconds
 let parts = [];            // the parts of the lanes, as the server sent them
 let chosen = null;         // an item with its links
 let lit = new Set();       // the ids of the chosen item and its links
-let asked = 0;             // counts requests for parts: only the answer to the last one is shown
+let asked = 0;             // counts requests for parts; only the last answer is shown
 
 // --- from the server ---
 
@@ -53,7 +53,7 @@ async function load() {
   }
 }
 
-/** Adds the timeline's number to a request, since a running agent's timeline is replaced when a page asks anew. */
+/** Adds the timeline's number to a request, since a running agent's timeline is replaced when a page asks again. */
 const ofNumber = () => `&of=${recording.number}`;
 
 const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
@@ -105,7 +105,7 @@ function tell() {
 
 // --- why, in sentences ---
 
-let whyAsked = 0; // counts questions: only the answer to the last one is shown
+let whyAsked = 0; // counts questions; only the last answer is shown
 
 /** Makes a line for a sentence of the tool `why`. The sentence begins with two blanks for each cause before it. */
 function sentence(words) {
@@ -122,7 +122,7 @@ function shownSentences(title, lines) {
   $('sentences').replaceChildren(...lines.map(sentence));
 }
 
-/** Tells why the chosen command was sent. The server runs the recorded agent again for the answer, which takes a while. */
+/** Tells why the chosen command was sent. For the answer, the server runs the recorded agent again, which takes some time. */
 async function askWhy() {
   const { item } = chosen;
   const number = ++whyAsked;
@@ -296,7 +296,7 @@ function zoom(factor, at = (from + until) / 2) { see(at - (at - from) * factor, 
 function move(share) { see(from + (until - from) * share, until + (until - from) * share); }
 const seeAll = () => see(-recording.seconds * 0.01, recording.seconds * 1.01);
 
-/** Returns the id of the item nearest to a place on the canvas; null: none is near. */
+/** Returns the id of the item nearest to a place on the canvas; null if none is near. */
 function nearest(px, py) {
   const part = parts.find(one => py >= laneTop(one.agent, one.lane) && py < laneTop(one.agent, one.lane) + LANE_HEIGHT);
   if (!part) return null;
@@ -365,7 +365,7 @@ const KEYS = {
   End: () => see(recording.seconds - (until - from), recording.seconds * 1.01),
   ',': () => beside('before'), '.': () => beside('after'), Enter: chooseFirst, Escape: forget,
 };
-const ON_CANVAS = ['Arrow', 'Page', 'Home', 'End', 'Enter']; // elsewhere these keys scroll the page, or press a button
+const ON_CANVAS = ['Arrow', 'Page', 'Home', 'End', 'Enter']; // outside of the canvas they scroll the page, or press a button
 document.addEventListener('keydown', event => {
   const act = KEYS[event.key];
   if (event.target !== canvas && ON_CANVAS.some(name => event.key.startsWith(name))) return;
@@ -381,7 +381,7 @@ $('after').addEventListener('click', () => beside('after'));
 new ResizeObserver(() => { if (recording) { draw(); load(); } }).observe(canvas.parentElement);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
-/** Returns the number of the command that the page's address asks about; null: none. */
+/** Returns the number of the command that the page's address asks about; null if there is none. */
 const askedCommand = () => /^#command=(\d+)$/.exec(location.hash)?.[1];
 
 /** Chooses the command that the address asks about, so its causes are listed. */
@@ -395,7 +395,7 @@ async function chooseAsked() {
   await askWhy();
 }
 
-/** Loads the recording; for a running agent, the present state of the recording. */
+/** Loads the recording. For a running agent, loads the current state of its recording. */
 async function open() {
   $('now').disabled = true;
   try {

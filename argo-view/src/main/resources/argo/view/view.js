@@ -11,7 +11,7 @@ let frozen = null;         // shown instead of the newest state while the page i
 let courses = {};          // numbers of sensors in the last minute, by the sensors' keys
 let filters = null;        // the names of all filters
 let waits = false;         // true while a pressed button has no answer yet
-const explained = new Map(); // by a percept's key: the reason why it was kept or dropped, with its text and filter when the page asked
+const explained = new Map(); // by a percept's key: why it was kept or dropped, and its text and filter at that time
 
 // --- words ---
 
@@ -59,7 +59,7 @@ function tell(words, isProblem) {
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
-/** Shows [items] as the rows of a list. Rows that stay keep their elements, so focus and reading position stay too. */
+/** Shows [items] as the rows of a list. Rows that stay keep their elements, so focus and reading position also stay. */
 function rows(list, items, keyOf, make, fill, none) {
   const before = new Map([...list.children].map(row => [row.dataset.key, row]));
   let next = list.firstElementChild;
@@ -179,7 +179,7 @@ function showPorts(shown, since) {
   ), 'The agent has no port.');
 }
 
-/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty: they show no old percepts. */
+/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty if they show none. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
@@ -232,7 +232,7 @@ function showSensors(shown, since) {
 
 const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
 
-/** Returns those of [beliefs] whose text or sources have each word of the search. */
+/** Returns the [beliefs] whose text or sources contain each word of the search. */
 function found(beliefs) {
   const words = $('find').value.toLowerCase().split(/\s+/).filter(Boolean);
   return beliefs.filter(belief => words.every(word => `${belief.text} ${sourcesOf(belief)}`.toLowerCase().includes(word)));
@@ -265,7 +265,7 @@ function actingRow(verb, path = verb, name = 'text', more = {}) {
   return made;
 }
 
-/** Gives the button of [line] the text [words]; hides the button if there are no words. */
+/** Gives the button of [line] the text [words]. Hides the button if there are no words. */
 function showAct(line, words, name, title) {
   const act = line.children[4];
   act.hidden = !words;
@@ -447,7 +447,7 @@ async function ask(path, body) {
   return answer;
 }
 
-/** Lets the agent do something, and returns its answer; null: the agent refuses, and the page tells why. */
+/** Lets the agent do something, and returns its answer. If the agent refuses, the page tells why, and the result is null. */
 async function order(path, body) {
   waits = true;
   tell('', false);
@@ -567,7 +567,7 @@ document.querySelectorAll('form.send').forEach(form => form.addEventListener('su
   if (!form.elements[1].disabled) send(form);
 }));
 
-// A hidden page closes its connection: it then causes the agent no work, and leaves a browser's few connections to other pages.
+// A hidden page closes its connection. It then causes the agent no work, and a browser's few connections are free for other pages.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

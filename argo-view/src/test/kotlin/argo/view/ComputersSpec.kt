@@ -7,7 +7,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.util.logging.Logger
 
-/** The computers of a fleet on the page of an agent. */
 class ComputersSpec : FunSpec({
     test("a change of the computers is news, and of agents that are too many to be shown the number is told") {
         val sixty = List(60) { AgentThere("a$it", 8080) }

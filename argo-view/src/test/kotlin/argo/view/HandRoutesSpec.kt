@@ -86,7 +86,7 @@ class HandRoutesSpec : FunSpec({
     }
 })
 
-/** An agent that notes its orders and answers with [outcome]; null: not at all. */
+/** An agent that notes its orders and answers with [outcome]. A null [outcome] means no answer. */
 private class Ordered : ObservedAgent by Nobody {
     var outcome: Outcome? = Outcome(null)
     val orders = ArrayList<Order>()
@@ -106,7 +106,7 @@ private class Ordered : ObservedAgent by Nobody {
             .run { status to body.decodeToString() }
 }
 
-/** Notes what it is asked for. The agent runs. */
+/** Notes the requests for pauses. The agent runs. */
 internal class Pauses : Pausing {
     override var refusal: String? = null
     override val state = PauseState(PausePhase.RUNNING, null, emptyList(), null, null, 0)

@@ -9,7 +9,6 @@ import java.net.URI
 internal class OtherSite(script: String) : AutoCloseable {
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), 0), 0)
 
-    /** Its address. */
     val address: URI = URI("http://localhost:${server.address.port}/")
 
     init {

@@ -35,7 +35,6 @@ private const val FRONT = """
     </PerceptionFilter>
 """
 
-/** The page in a real browser. */
 class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
@@ -326,7 +325,7 @@ class PageSpec : FunSpec({
             enter("#belief", "-+likes(milk)")
             press("Believe")
             await { "likes(milk)" in texts("#beliefs .text") && "likes(tea)" !in texts("#beliefs .text") }
-            texts("#beliefs .act:not([hidden])").size shouldBe 1 // percepts have none
+            texts("#beliefs .act:not([hidden])").size shouldBe 1 // percepts have no button
             enter("#belief", "likes(")
             type(Keys.ENTER)
             await { texts(".answer.failed").any { "likes(" in it } }
@@ -384,7 +383,7 @@ class PageSpec : FunSpec({
                 mas.file("front.xml", FRONT)
                 mas.agent("bob", AGENT)
                 board.awaitMessage("hello", 20_000)
-                mas.file("bob.asl", "") // a reload would take all plans away
+                mas.file("bob.asl", "") // a reload would remove all plans
                 val view = mas.viewOf("bob")
                 OtherSite("$ATTACK('$view')").use { other ->
                     chromium.show(other.address) {
@@ -441,7 +440,7 @@ class PageSpec : FunSpec({
 
 private infix fun List<String>.shouldContainText(part: String) = joinToString("\n") shouldContain part
 
-/** Presses the buttons of a page at an address in every way that a page of another origin has, and then sets its title. */
+/** Sends the requests of a page's buttons in every way that a page of another origin has, and then sets its own title. */
 private const val ATTACK = """
     (async address => {
         const orders = {
@@ -474,7 +473,7 @@ private const val ATTACK = """
         }
     })"""
 
-/** Finds words whose contrast with their background is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */
+/** Finds words whose contrast with their background is less than WCAG 2.2 requires at level AA, 4.5 : 1. */
 private const val FAINT = """
     const channel = c => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
     const numbers = colour => colour.match(/[\d.]+/g).map(Number);

@@ -37,8 +37,8 @@ private const val AHEAD = """
 """
 
 /**
- * The pages of a system of two agents in a real browser. With `-Dargo.write.pictures=true` the pictures of the documentation are made anew,
- * which takes a minute.
+ * Tests the pages of a system of two agents in a real browser. With `-Dargo.write.pictures=true`, also makes the pictures of the
+ * documentation, which takes a minute.
  */
 @Tags("Thorough")
 class SystemPageSpec : FunSpec({
@@ -53,7 +53,7 @@ class SystemPageSpec : FunSpec({
         picture(name, pictures ?: Path.of("target", "view"))
     }
 
-    /** Runs [test] with a robot on its way to a wall, and a scout with two boards. */
+    /** Runs [test] with a robot that drives towards a wall, and a scout with two boards. */
     suspend fun system(test: suspend Page.(ViewedMas, List<FakeBoard>) -> Unit) {
         val boards = listOf("robot", "left", "right").map { FakeBoard.plugIn(it).lenient() }
         val begin = System.nanoTime()
@@ -122,7 +122,7 @@ class SystemPageSpec : FunSpec({
     }
 })
 
-/** Draws the robot on its way, [cm] from the wall. */
+/** Draws the robot, [cm] from the wall. */
 private fun track(cm: Double): String {
     val x = (86 - cm / 200 * 86).coerceIn(0.0, 86.0)
     return """

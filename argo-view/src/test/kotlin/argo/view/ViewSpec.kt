@@ -30,7 +30,7 @@ private const val LOOKS = """
     +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello).
 """
 
-/** Percepts that make a message as long as it may be. */
+/** Percepts that make a message of the largest possible length. */
 private val FILLING = "a(1);b(2);c(3);d(\"${"x".repeat(180)}\");"
 private const val FRONT = """
     <PerceptionFilter>
@@ -237,7 +237,7 @@ class ViewSpec : FunSpec({
             for (path in listOf("", "/view.css", "/view.js", "/course.js")) {
                 val answer = address.get(path)
                 answer.statusCode() shouldBe 200
-                answer.body().replace("http://www.w3.org/2000/svg", "") shouldNotContain "//www" // the name of a namespace loads nothing
+                answer.body().replace("http://www.w3.org/2000/svg", "") shouldNotContain "//www" // a namespace's name loads nothing
                 answer.body() shouldNotContain "https:"
                 val policy = answer.headers().firstValue("Content-Security-Policy").get()
                 policy shouldContain "default-src 'none'"
@@ -275,7 +275,7 @@ class ViewSpec : FunSpec({
     test("a page that is opened later is told the course of each number meanwhile") {
         watched { _, board, address ->
             fun messages() = board.received().count { it == "getPercepts" }
-            eventually(LIMIT) { messages() shouldBeGreaterThan 60 } // 20 ms each, so the course has values of two half seconds at least
+            eventually(LIMIT) { messages() shouldBeGreaterThan 60 } // 20 ms each, so the course has values of at least two half seconds
             Watcher(address).use { watcher ->
                 val courses = watcher.await { it.courses != null }.courses.shouldNotBeNull()
                 courses.values.map { it.single().last { value -> value != null } } shouldBe listOf(38.0, 90.0, 4.0)

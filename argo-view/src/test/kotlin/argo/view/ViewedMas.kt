@@ -22,10 +22,10 @@ import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** Until then what a test waits for has happened, on any machine. */
+/** The longest wait of a test. Even a slow machine needs less time. */
 internal val LIMIT = 60.seconds
 
-/** A real Jason in this process, for agents with live views. One at a time. */
+/** A real Jason in this process, for agents with live views. Only one may exist at a time. */
 internal class ViewedMas : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-view")
     private val mas = RunLocalMAS()
@@ -44,10 +44,9 @@ internal class ViewedMas : AutoCloseable {
         mas.start()
     }
 
-    /** The log so far, one message a line. */
     val log: String get() = records.joinToString("\n") { it.message.orEmpty() }
 
-    /** Starts an agent with [program] whose option `argo_view` is [view], with other [options]. */
+    /** Starts an agent with [program]. [view] is its option `argo_view`, and [options] are its other options. */
     fun agent(name: String, program: String, view: String = "0", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("${name.replace(Regex("\\W"), "_")}.asl").apply { writeText(program) }
         val settings = Settings().apply { setOptions(HashMap<String, Any>(options + ("argo_view" to view))) }
@@ -55,42 +54,36 @@ internal class ViewedMas : AutoCloseable {
         services.startAgent(services.createAgent(name, source.toString(), null, listOf("argo.Arch"), null, settings, null))
     }
 
-    /** Writes a file of the project, beside its agents. */
+    /** Writes a file of the project, next to the files of its agents. */
     fun file(name: String, text: String) {
         directory.resolve(name).apply { parent.createDirectories() }.writeText(text)
     }
 
-    /** Gives agent [name] the goal. */
     fun achieve(name: String, goal: String) {
         mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
         mas.getAg(name).wake()
     }
 
-    /** Stops agent [name] as `.kill_agent` does. */
     fun kill(name: String) {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
 
-    /** Returns the agent's beliefs, as text without their sources. */
     fun beliefs(name: String): Set<String> =
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 
-    /** Returns when agent [name] believes [belief]. */
     suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) { beliefs(name) shouldContain belief }
 
-    /** Returns the view of agent [name], as a project gets it. */
     fun agentView(name: String): AgentView =
         generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>()
             .flatMap { it.observers }.filterIsInstance<AgentView>().single()
 
-    /** Reads the address of the view of agent [name] from the log. */
     fun viewOf(name: String): URI {
         val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/\\S+/)").find(log)
         return URI(checkNotNull(line) { log }.groupValues[1])
     }
 
     override fun close() {
-        mas.finish(0, false, 0) // on a thread of its own
+        mas.finish(0, false, 0) // on a separate thread
         runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
         Logger.getLogger("").removeHandler(handler)
         Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }

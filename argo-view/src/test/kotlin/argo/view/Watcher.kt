@@ -9,12 +9,12 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A browser without a window: reads the states that the page at [address] is sent, in a thread of its own. */
+/** A browser without a window. A separate thread reads the states that the page at [address] receives. */
 internal class Watcher(address: URI) : AutoCloseable {
     private val unread = LinkedBlockingQueue<ViewState>()
     private val stream = java.net.Socket(address.host, address.port)
 
-    /** Everything that was sent, unchanged. */
+    /** The received text, unchanged. */
     val sent = StringBuffer()
 
     private val reader = thread(isDaemon = true, name = "watcher") {
@@ -22,7 +22,7 @@ internal class Watcher(address: URI) : AutoCloseable {
             stream.getOutputStream().write("GET ${address.rawPath}events HTTP/1.0\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
             stream.getInputStream().bufferedReader().forEachLine(::read)
         } catch (_: java.io.IOException) {
-            // the test closes it
+            // the test has closed the stream
         }
     }
 
@@ -31,7 +31,7 @@ internal class Watcher(address: URI) : AutoCloseable {
         if (line.startsWith("data: ")) unread.put(Json.decodeFromString(ViewState.serializer(), line.removePrefix("data: ")))
     }
 
-    /** Reads on until [condition] holds, and returns the state that it holds for. */
+    /** Reads states until [condition] holds for one, and returns this state. */
     fun await(condition: (ViewState) -> Boolean): ViewState {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
         var last: ViewState? = null
@@ -60,11 +60,11 @@ private fun Thread.join(limit: java.time.Duration): Boolean {
 
 private val client: HttpClient = HttpClient.newHttpClient() // follows no redirects
 
-/** Returns the answer to GET [path], which is a page's if it begins without a slash. */
+/** Returns the answer to GET [path]. If [path] has no slash at its beginning, it belongs to a page. */
 internal fun URI.get(path: String): HttpResponse<String> =
     client.send(HttpRequest.newBuilder(resolve(path)).build(), HttpResponse.BodyHandlers.ofString())
 
-/** Returns the answer to POST [path] with [json], and with [headers] beside those of the page. */
+/** Returns the answer to POST [path] with [json]. [headers] are sent in addition to the headers of the page. */
 internal fun URI.post(path: String, json: String, vararg headers: Pair<String, String>): HttpResponse<String> {
     val request = HttpRequest.newBuilder(resolve(path)).header("Content-Type", "application/json")
         .POST(HttpRequest.BodyPublishers.ofString(json))

@@ -12,7 +12,7 @@ import argo.recording.Step
 /**
  * Makes the items of one agent from its cycles, in order, and links each item with its recorded causes.
  *
- * @param agent the index of the agent among those of the timeline
+ * @param agent the index of the agent in the timeline
  * @param zeroNs the beginning of the timeline, in ns of the agent's clock
  * @param items the list of all agents' items, to which the items are added
  * @param outcomes the outcomes of the agent's commands, by their numbers

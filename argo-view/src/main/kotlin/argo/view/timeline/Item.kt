@@ -29,12 +29,12 @@ internal enum class Lane {
  * @property id the item's index in [Timeline.items]
  * @property agent the index of its agent in [Timeline.agents]
  * @property from the item's beginning, in seconds since the beginning of the recording
- * @property until the item's end; null: it took no time
+ * @property until the item's end; null if it took no time
  * @property text a short description
- * @property detail the details, one a line
+ * @property detail the details, one on each line
  * @property isBad whether it is a failure
  * @property causes the ids of its causes
- * @property command the number of the agent's command, from 1; null: the item is no command
+ * @property command the number of the agent's command, from 1; null if the item is no command
  */
 @Serializable
 internal class Item(

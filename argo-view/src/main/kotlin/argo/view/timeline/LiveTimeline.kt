@@ -11,7 +11,7 @@ import java.time.Duration
 
 /**
  * The timeline of the last minutes of the running [agent]. The timeline is read from the agent's recording when a page is opened or asks
- * anew. Only the newest timeline is kept. While no page asks, the timeline costs no work.
+ * again. Only the newest timeline is kept. Without requests, the timeline takes no time of the computer.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
@@ -33,7 +33,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
     }
 
-    /** Reads the present recording, for one page at a time, so that many pages take no more memory than one. */
+    /** Reads the current recording, for one page at a time. Many pages then take no more memory than one page. */
     @Synchronized
     private fun taken(): HttpResponse {
         val recording = try {
@@ -56,7 +56,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers. The recording covers more, but a longer timeline would cost the computer time and memory. */
+        /** How much of the recording the timeline covers. More would take too much time and memory. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }

@@ -4,11 +4,11 @@ import argo.recording.Place
 import argo.recording.Step
 
 /**
- * Links each step of an agent's intentions with the event that caused it, and each goal with the step that posed it. A recording has no
- * such links.
+ * Links each step of an agent's intentions with the event that caused it, and each goal with the step that posed it. A recording does not
+ * contain these links.
  */
 internal class PlanLinks {
-    /** A plan that was chosen for an event and has made no step yet. [intention] is the plan's intention; null: none existed yet. */
+    /** A plan that was chosen for an event and has made no step yet. [intention] is the plan's intention; null if none existed yet. */
     private class Chosen(val event: Int, val plan: Place, val intention: Int?)
 
     private val waiting = ArrayDeque<Chosen>()
@@ -17,13 +17,13 @@ internal class PlanLinks {
     private val intentions = HashMap<Int, Int>()
     private val seen = HashSet<Int>()
 
-    /** The last failed step; null: none. */
+    /** The last failed step; null if there is none. */
     var failed: Int? = null
 
-    /** Returns the step that caused the goal event [trigger]; null: the agent began with the goal, or the goal came from outside. */
+    /** Returns the step that caused the goal event [trigger]; null if the goal is initial or came from outside. */
     fun posing(trigger: String): Int? = if (trigger.startsWith('-')) failed else posing[functor(trigger.drop(2))]
 
-    /** Returns the number of the intention in which [step] posed its goal; null: the goal began an intention of its own. */
+    /** Returns the number of the intention in which [step] posed its goal; null if the goal began its own intention. */
     fun intentionOf(step: Int): Int? = intentions[step]
 
     fun chosen(event: Int, plan: Place, intention: Int?) {
@@ -31,7 +31,7 @@ internal class PlanLinks {
         if (waiting.size > MOST_WAITING) waiting.removeFirst()
     }
 
-    /** Returns the event for which the plan of [step] was chosen; null: not known. */
+    /** Returns the event for which the plan of [step] was chosen; null if it is not known. */
     fun causeOf(step: Step): Int? {
         val key = step.intention to step.depth
         val found = waiting.find {
@@ -52,7 +52,7 @@ internal class PlanLinks {
     }
 
     private companion object {
-        /** The most plans that wait for their first step. Plans without a body never make a step. */
+        /** The largest number of plans that wait for their first step. Plans without a body never make a step. */
         const val MOST_WAITING = 100
     }
 }

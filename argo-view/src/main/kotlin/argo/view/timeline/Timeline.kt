@@ -5,11 +5,11 @@ import argo.recording.replay.Recording
 import kotlinx.serialization.Serializable
 import java.time.Duration
 
-/** The part of a lane between two times, for the page: [items] or, if there are too many, [heaps]. */
+/** The part of a lane between two times, for the page, with [items] or, if there are too many, [heaps]. */
 @Serializable
 internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
 
-/** [count] items that are too close together to be drawn one by one. [id] is the first failure or, without a failure, the first item. */
+/** [count] items that are too close together to be drawn one by one. [id] is the first failure or, if there is none, the first item. */
 @Serializable
 internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
 
@@ -32,7 +32,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
     private val effects: Map<Int, List<Int>> =
         items.flatMap { item -> item.causes.map { it to item.id } }.groupBy({ it.first }, { it.second })
 
-    /** Returns the lanes from [from] to [until], in seconds. A lane with more than [most] items has at most [most] heaps instead. */
+    /** Returns the lanes from [from] to [until], in seconds. If a lane has more than [most] items, it has at most [most] heaps instead. */
     fun between(from: Double, until: Double, most: Int): List<LanePart> =
         lanes.entries.sortedBy { (key, _) -> key.first * Lane.entries.size + key.second.ordinal }.map { (key, all) ->
             val first = all.firstFrom(from - longest.getValue(key))
@@ -49,19 +49,19 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         }
     }
 
-    /** Returns the item [id] with at most [most] links in each direction; null: there is no such item. */
+    /** Returns the item [id] with at most [most] links in each direction; null if no item has this id. */
     fun related(id: Int, most: Int): Related? {
         val item = items.getOrNull(id) ?: return null
         return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
     }
 
-    /** Returns the id of the item for command [number] of [agent]; null: the timeline has none. */
+    /** Returns the id of the item for command [number] of [agent]; null if the timeline has none. */
     fun command(agent: String, number: Long): Int? {
         val place = agents.indexOf(agent)
         return lanes[place to Lane.COMMANDS]?.find { it.command == number }?.id
     }
 
-    /** Returns the item before or after [id] in its lane; [id] itself if none is there. */
+    /** Returns the item before or after [id] in its lane, or [id] itself if none is there. */
     fun beside(id: Int, isAfter: Boolean): Int? {
         val item = items.getOrNull(id) ?: return null
         val lane = lanes.getValue(item.agent to item.lane)
@@ -77,7 +77,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         return reached.drop(1).map(items::get)
     }
 
-    /** Returns the index of the first item that begins at [time] or later; with [isAfter], later than [time]. */
+    /** Returns the index of the first item that begins at [time] or later. With [isAfter], it must be later than [time]. */
     private fun List<Item>.firstFrom(time: Double, isAfter: Boolean = false): Int =
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
@@ -88,7 +88,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         /**
          * Reads [recordings] of several programs, such as those on the computers of a fleet.
          *
-         * @param aheadNs the time by which each recording's clock is ahead of the first one's, in ns
+         * @param aheadNs for each recording, how far its clock is ahead of the first recording's clock, in ns
          */
         fun ofAll(recordings: List<Recording>, aheadNs: List<Long>, last: Duration? = null): Timeline {
             val all = recordings.flatMapIndexed { place, one -> one.agents.keys.sorted().map { Recorded(it, one, aheadNs[place]) } }
@@ -101,7 +101,9 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
             return Timeline(all.map { it.name }, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
         }
 
-        /** Returns the step that sent [mail] to an agent. An agent of the same recording with the sender's name is the sender. */
+        /**
+         * Returns the step that sent [mail] to an agent. If this agent's recording has an agent with the sender's name, this is the sender.
+         */
         private fun sendingOf(mail: Mail, to: Recorded, made: List<Pair<Recorded, AgentItems>>): Int? {
             val senders = made.filter { (agent) -> agent.name == mail.sender }
             val own = senders.filter { (agent) -> agent.recording === to.recording }
@@ -109,7 +111,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         }
     }
 
-    /** An agent of a [recording], whose clock is [aheadNs] ahead. */
+    /** An agent of a [recording]. The recording's clock is [aheadNs] ahead. */
     private class Recorded(val name: String, val recording: Recording, private val aheadNs: Long) {
         fun firstNs(last: Duration?): Long? = recording.cycles(name, last).firstOrNull()?.let { it.ns - aheadNs }
 

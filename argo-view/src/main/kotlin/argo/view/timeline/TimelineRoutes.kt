@@ -10,7 +10,7 @@ import kotlinx.serialization.Serializable
  * @param name the name of the recording, or of the running agent
  * @param problems the parts of the recording that cannot be read
  * @param why explains why a command was sent
- * @property number the number of the timeline among those of a running agent; 0: the timeline of a file
+ * @property number counts the timelines of a running agent, from 1; 0 for the timeline of a file
  */
 internal class TimelineRoutes(
     private val timeline: Timeline,
@@ -40,7 +40,7 @@ internal class TimelineRoutes(
         return HttpResponse.json(timeline.between(from, until, most))
     }
 
-    /** Responds with an item and its links: the item `id`, or the item before or after it. */
+    /** Responds with an item and its links. The item is `id`, or the item before or after it. */
     private fun item(parameters: Map<String, String>): HttpResponse {
         val command = parameters["command"]?.toLongOrNull()
         val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)
@@ -64,7 +64,7 @@ internal class TimelineRoutes(
 
         fun page(): HttpResponse = Site.file("timeline.html", "text/html")
 
-        /** Responds with the file [path] of the page; null: there is no such file. */
+        /** Responds with the file [path] of the page; null if the page has no file with this path. */
         fun file(path: String): HttpResponse? = when (path) {
             "/view.css" -> Site.file("view.css", "text/css")
             "/timeline.css" -> Site.file("timeline.css", "text/css")

@@ -17,7 +17,7 @@ import java.util.concurrent.Executors
  *
  * @param files the recordings; their names are the title
  * @param problems the parts of the recording that cannot be read
- * @param port 0 to 65535; 0: any free port
+ * @param port 0 to 65535; 0 for any free port
  * @throws IOException if the port cannot be opened
  */
 internal class TimelineServer(

@@ -62,7 +62,6 @@ internal class ViewCommand : ToolCommand() {
         throw ToolException("${files.joinToString()}: a message cannot be read: ${unreadable.message?.lineSequence()?.first()}")
     }
 
-    /** Waits until the program is ended or the thread is interrupted. */
     private fun awaitEnd() = try {
         CountDownLatch(1).await()
     } catch (_: InterruptedException) {

@@ -15,13 +15,12 @@ import java.net.http.HttpClient
 import java.net.http.HttpRequest
 import java.net.http.HttpResponse
 
-/** The timeline of a running agent, and the links to it from the live view. */
 @Tags("Thorough")
 class LiveTimelineSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
 
-    /** Runs [test] with an agent that has stopped before a wall, and that is recorded if [record] is given. */
+    /** Runs [test] with an agent that has stopped in front of a wall. The agent is recorded if [record] is given. */
     suspend fun stopped(record: String?, percepts: String = "dist(front,38);", test: suspend (ViewedMas, FakeBoard) -> Unit) =
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(percepts)
@@ -79,7 +78,7 @@ class LiveTimelineSpec : FunSpec({
                 mas.awaitBelief("bob", "dist(front,39)")
                 press("Now")
                 await {
-                    press("Now") // the cycle that perceives it may not have ended yet
+                    press("Now") // the cycle that perceives it may still be running
                     run("return JSON.stringify(parts).includes('dist(front,39)')")
                 }
             }

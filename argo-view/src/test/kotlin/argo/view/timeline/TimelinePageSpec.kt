@@ -23,8 +23,8 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The page of a recording of two agents, in a real browser. With `-Dargo.write.pictures=true` the picture of the documentation is made
- * anew.
+ * Tests the page of a recording of two agents in a real browser. With `-Dargo.write.pictures=true`, also makes the picture of the
+ * documentation.
  */
 @Tags("Thorough")
 class TimelinePageSpec : FunSpec({
@@ -99,7 +99,7 @@ class TimelinePageSpec : FunSpec({
             await { text("#range") != all }
             type("0")
             await { text("#range") == all }
-            press("After") // chooses the first one
+            press("After") // chooses the first item
             await { text("#item-title") != "Select an item" }
             val first = run<Long>("return chosen.item.id")
             type(".")

@@ -7,7 +7,6 @@ import picocli.CommandLine
 import java.io.PrintWriter
 import java.io.StringWriter
 
-/** `view` without anything to show. */
 class ViewCommandSpec : FunSpec({
     mapOf("no-such.mcap" to "there is no file no-such.mcap", "src" to "src is a folder, no file").forEach { (file, why) ->
         test("$file is a failure, as of the other tools, and no wrong argument") {
