@@ -1,5 +1,6 @@
-// Debugs an agent that drives: stops it at a breakpoint, reads what it knows there, takes a step, goes on; prints what it saw as JSON. An
-// agent that stands already, in a replay, goes on to the breakpoint first, and after the step by the end of the session.
+// Debugs a driving agent. Stops it at a breakpoint, reads its beliefs and variables, takes a step, and continues. Prints the results as
+// JSON. If the agent is paused at the beginning, as in a replay, it first continues to the breakpoint. It then runs on when the session
+// ends.
 // node session.mjs FOLDER PORT FILE LINE, where FOLDER has node_modules, and the agent's program FILE has a step in LINE.
 import { createRequire } from "node:module";
 import { join } from "node:path";

@@ -15,7 +15,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     val intentions: List<Intention>
         get() = agent.circumstance.allIntentions.asSequence().filterNot { it.isFinished }.distinctBy { it.id }.toList()
 
-    /** The intention that a debugger shows; null: the agent has no intention. Use this only in [asking]. */
+    /** The intention that a debugger shows; null if the agent has no intention. Use this only in [asking]. */
     val shown: Intention?
         get() {
             val all = intentions
@@ -25,6 +25,7 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
 
     /**
      * Calls [ask] on the agent's thread, and returns its result.
+     *
      * @throws DebugException if the agent is not paused, or does not answer in time
      */
     fun <T> asking(ask: () -> T): T {
@@ -53,5 +54,5 @@ internal class AgentThread(val number: Int, val agent: ObservedAgent) {
     }
 }
 
-/** A request of a debugger cannot be fulfilled; [message] tells the user the reason. */
+/** Reports that a debugger's request cannot be fulfilled. [message] tells the user the reason. */
 internal class DebugException(message: String) : Exception(message)

@@ -17,7 +17,7 @@ import kotlin.concurrent.thread
 /**
  * Lets debuggers on this computer connect to agents, by the Debug Adapter Protocol over TCP. Safe for use by several threads.
  *
- * @param wanted the port; 0: any free port
+ * @param wanted the port; 0 for any free port
  */
 internal class DebugServer(wanted: Int) : AutoCloseable {
     private val socket = ServerSocket(wanted, BACKLOG, InetAddress.getLoopbackAddress())

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The servers of this program, one for each port. Agents that ask for the same port share a server, so a debugger sees all agents of a
- * system. Agents that ask for any free port (0) also share a server. Safe for use by several threads.
+ * The servers of this program, one for each port. Agents that ask for one port share a server, so a debugger sees all agents of a system.
+ * Agents that ask for any free port (0) also share a server. Safe for use by several threads.
  */
 internal object DebugServers {
     private val lock = ReentrantLock()

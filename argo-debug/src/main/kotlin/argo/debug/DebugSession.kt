@@ -48,11 +48,11 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The session of one debugger. To the debugger, each agent is a thread, the agent's intention is the stack of this thread, and the
- * intention's plans are the frames. The thread that reads from the debugger calls the functions of the protocol, and agents call back on
- * their threads. Another thread sends messages to the debugger, so agents do not wait for the debugger.
+ * The session of one debugger. For the debugger, each agent is a thread. An intention of the agent is the stack of this thread, and the
+ * intention's plans are the frames. The thread that reads from the debugger calls the functions of the protocol. Agents call back on their
+ * threads. Another thread sends messages to the debugger, so agents do not wait for the debugger.
  *
- * @param agents the present agents; the list changes when agents begin or end
+ * @param agents the current agents; the list changes when agents begin or end
  */
 internal class DebugSession(private val agents: List<AgentThread>) :
     IDebugProtocolServer,
@@ -70,7 +70,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
     @Volatile
     private var files: Map<String, InFile> = emptyMap()
 
-    /** Begins the session with [client]; [hangUp] ends the connection. */
+    /** Begins the session with [client]. [hangUp] ends the connection. */
     fun begin(client: IDebugProtocolClient, hangUp: () -> Unit) {
         this.client = client
         this.hangUp = hangUp
@@ -141,7 +141,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         SetBreakpointsResponse().apply { breakpoints = answers.toTypedArray() }
     }
 
-    /** Returns the breakpoint with this [number]. [found] are the answers of the agents: where they have set it, or why not. */
+    /** Returns the breakpoint with this [number]. [found] are the agents' answers: where they have set it, or why not. */
     private fun shown(number: Int, args: SetBreakpointsArguments?, found: List<argo.observing.Breakpoint>) = Breakpoint().apply {
         id = number
         isVerified = found.any { it.line != null }
@@ -150,7 +150,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         if (!isVerified) message = found.firstOrNull()?.refusal ?: "no agent is there"
     }
 
-    /** Tells the debugger the present lines of its breakpoints, and which breakpoints are lost. */
+    /** Tells the debugger the current lines of its breakpoints, and which breakpoints are lost. */
     @Synchronized
     override fun breakpointsChanged() {
         for (its in files.values) {
@@ -225,7 +225,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
 
     private fun thread(number: Int) = agents.find { it.number == number } ?: throw DebugException("there is no agent $number any more")
 
-    /** Tells the debugger that the agent [thread] has begun, and sets the breakpoints in this agent too. */
+    /** Tells the debugger that the agent [thread] has begun, and sets the breakpoints in this agent. */
     fun joined(thread: AgentThread) {
         for (its in files.values) {
             val found = thread.pausing.breakAt(this, its.file, its.lines.values.toList())
@@ -253,7 +253,7 @@ internal class DebugSession(private val agents: List<AgentThread>) :
         tell { it.thread(event("exited", thread)) }
     }
 
-    /** Ends the session: agents forget its breakpoints, and go on if only this session has paused them. May be called twice. */
+    /** Ends the session. Agents forget its breakpoints. An agent continues if only this session has paused it. May be called twice. */
     fun end() {
         synchronized(followed) { followed.values.forEach(AutoCloseable::close) }
         agents.forEach { it.pausing.release(this) }

@@ -14,9 +14,9 @@ import jason.asSyntax.parser.TokenMgrError
 
 /**
  * Evaluates [expression] for [agent]. Returns the value of a variable or an arithmetic expression, or the solutions of a formula as in a
- * plan's context. Call this on the agent's thread.
+ * plan's context. Call this function on the agent's thread.
  *
- * @param un the values of a plan's variables; null: there is no plan
+ * @param un the values of a plan's variables; null if there is no plan
  * @throws DebugException if [expression] is none of these, or contains an internal action
  */
 internal fun valueOf(expression: String, agent: Agent, un: Unifier?): String {

@@ -15,9 +15,9 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * The frames and variables of paused agents, by numbers that are valid until the agent goes on. Safe for use by several threads.
+ * The frames and variables of paused agents, by numbers that are valid until the agent continues. Safe for use by several threads.
  *
- * @param pathOf returns the path that the debugger uses for a file with this name; null: the debugger has not named the file yet
+ * @param pathOf returns the debugger's path for a file with this name; null if the debugger has not named the file yet
  */
 internal class Frames(private val pathOf: (name: String) -> String?) {
     /** A frame of [thread]. If [means] is null, the agent has no intentions. */
@@ -36,7 +36,7 @@ internal class Frames(private val pathOf: (name: String) -> String?) {
         children.values.removeIf { it.thread === thread }
     }
 
-    /** Returns the frames of [thread], the latest plan first. Call this on the agent's thread. */
+    /** Returns the frames of [thread], the latest plan first. Call this function on the agent's thread. */
     fun of(thread: AgentThread): List<StackFrame> {
         val intention = thread.shown ?: return listOf(frame(Frame(thread, null), "no intention"))
         return intention.map { means -> frame(Frame(thread, means), described(means)).at(means) }

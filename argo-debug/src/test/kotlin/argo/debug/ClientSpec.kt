@@ -34,7 +34,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.minutes
 
-/** A client of the protocol that others use, from npm, debugs an agent that drives a board at the end of a pseudo-terminal. */
+/** Debugs an agent with a widely used client of the protocol, from npm. The agent's board is at the end of a pseudo-terminal. */
 class ClientSpec : FunSpec({
     val folder = Path.of("build/client").absolute()
     val thorough = setOf(NamedTag("Thorough"))
@@ -131,14 +131,14 @@ class ClientSpec : FunSpec({
     }
 })
 
-/** Returns a port that is free, below those that the system hands out: another program could use one of these before the debugger does. */
+/** Returns a free port that the system does not hand out. Another program could take a handed-out port before the debugger. */
 internal fun freePort() = (20_000..31_999).shuffled().first { port ->
     runCatching { ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close() }.isSuccess
 }
 
 private val JsonElement.items: List<JsonElement> get() = asJsonArray.toList()
 
-/** Runs an agent with the program [file] in Jason's Local infrastructure while [work] lasts. */
+/** Runs an agent with the program [file] in Jason's Local infrastructure during [work]. */
 private inline fun <T> running(file: Path, options: Map<String, String>, work: () -> T): T {
     val mas = RunLocalMAS()
     val logging = file.resolveSibling("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }

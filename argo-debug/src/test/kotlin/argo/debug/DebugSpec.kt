@@ -27,7 +27,7 @@ import kotlin.time.Duration.Companion.seconds
 class DebugSpec : FunSpec({
     val file = tempdir().toPath().toRealPath().resolve("bob.asl").apply { writeText(PROGRAM) }
 
-    /** Has [debug] a debugger of Bob, on a thread of its own, while Bob does [drive] in virtual time. */
+    /** Runs [debug] with a debugger of Bob, on a separate thread, while Bob does [drive] in virtual time. */
     fun debugging(drive: TestAgent.() -> Unit, debug: Debugger.(port: Int) -> Unit) {
         agent(file) { options("argo_debug" to "0") }.use { bob ->
             val port = checkNotNull(Regex("debuggers reach bob at port (\\d+)").find(bob.log.joinToString("\n"))).groupValues[1].toInt()

@@ -67,7 +67,7 @@ internal class Debugger(port: Int) : IDebugProtocolClient, AutoCloseable {
         told += args.output.trim()
     }
 
-    /** Sets breakpoints; returns the line, or the reason why there is none, of each. */
+    /** Sets breakpoints. Returns for each its line, or the reason why there is none. */
     fun breakAt(file: String, vararg lines: Int): List<String> {
         val args = SetBreakpointsArguments().apply {
             source = Source().apply { path = file }
@@ -106,7 +106,7 @@ internal class Debugger(port: Int) : IDebugProtocolClient, AutoCloseable {
     }
 }
 
-/** Returns what [ask] returns, or why it is refused. */
+/** Returns the result of [ask], or the reason why it is refused. */
 internal fun said(ask: () -> String): String = try {
     ask()
 } catch (refused: ExecutionException) {
