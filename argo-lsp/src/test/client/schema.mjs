@@ -1,4 +1,4 @@
-// Prints a line for each line of the input, a JSON document: what the schema in a file refuses in it, or "ok".
+// Each line of the input is a JSON document. Prints for each line what the schema in a file refuses, or "ok".
 // node schema.mjs FOLDER SCHEMA
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -1,4 +1,4 @@
-// Drives a language server through a session of typing in a program of a thousand lines, and prints figures of it as JSON.
+// Types in a program of a thousand lines with a language server, and prints the measured times as JSON.
 // node session.mjs FOLDER KEYS COMMAND…, where FOLDER has node_modules, KEYS is a number, and COMMAND starts the server.
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -56,7 +56,7 @@ await connection.sendNotification("textDocument/didOpen", { textDocument: { uri,
 const first = await answer;
 const openMs = performance.now() - begun;
 
-await new Promise((done) => setTimeout(done, 2000)); // who opens a file looks at it before typing
+await new Promise((done) => setTimeout(done, 2000)); // a user looks at a file before typing
 
 const times = [];
 async function replace(line, character, length, put) {

@@ -13,9 +13,9 @@ import java.util.concurrent.TimeUnit
  *
  * @param worker runs [find], one call at a time
  * @param find returns the findings in a text
- * @param rehearse does the same work as after a change of a text, to warm up the JVM
+ * @param rehearse repeats the work that follows a change of a text, to warm up the JVM
  * @param publish sends findings to the editor
- * @param fail is called with errors that [find] throws
+ * @param fail called with errors that [find] throws
  */
 internal class Diagnosis(
     private val texts: OpenTexts,
@@ -28,22 +28,22 @@ internal class Diagnosis(
     private var due: Future<*>? = null
 
     /**
-     * The remaining warm-up rounds. They run while nobody types, because the JVM compiles code only after some runs and makes it ten times
-     * as fast.
+     * How often [rehearse] will still be called. The calls come while nobody types. The JVM compiles code only after some runs, and the
+     * compiled code is ten times as fast.
      */
     private var rounds = WARM_UP_ROUNDS
 
     /** The published findings and the text in which they are, by the text's URI. Only the worker uses this map. */
     private val published = HashMap<String, Pair<Text, List<Diagnostic>>>()
 
-    /** Call this after a text or a file on the disk was opened or changed. The search begins [PAUSE_MS] after the last call. */
+    /** Call this function after a text or a file on the disk was opened or changed. The search begins [PAUSE_MS] after the last call. */
     @Synchronized
     fun changed() {
         due?.cancel(false)
         due = worker.schedule(::run, PAUSE_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** Call this after the text of [uri] was closed. The editor then removes the findings in that text. */
+    /** Call this function after the text of [uri] was closed. The editor then removes the findings in the text. */
     fun closed(uri: String) {
         worker.execute { if (texts[uri] == null && published.remove(uri) != null) publish(PublishDiagnosticsParams(uri, emptyList())) }
         changed()
@@ -56,7 +56,7 @@ internal class Diagnosis(
         fail(failure)
     }
 
-    /** Runs one warm-up round and queues the next, so that a key or a request waits for at most one round. */
+    /** Calls [rehearse] once and queues the next call. So a key or a request waits for at most one call. */
     private fun warmUp() {
         if (rounds == 0 || !isIdle()) return
         rounds--
@@ -68,7 +68,7 @@ internal class Diagnosis(
     private fun isIdle() = due?.isDone != false
 
     private fun diagnose(text: Text) {
-        if (texts[text.uri] !== text) return // another run is for the newer text
+        if (texts[text.uri] !== text) return // another run handles the newer text
         val found = find(text)
         if (published[text.uri]?.let { (last, its) -> last === text && its == found } == true) return
         texts.ifCurrent(text) {
@@ -78,7 +78,7 @@ internal class Diagnosis(
     }
 
     private companion object {
-        /** After a longer pause than this, the user has probably ended a word. After a shorter one, the next key makes results useless. */
+        /** After a longer pause, the user has probably ended a word. After a shorter pause, the next key makes results useless. */
         const val PAUSE_MS = 20L
         const val WARM_UP_ROUNDS = 60
     }

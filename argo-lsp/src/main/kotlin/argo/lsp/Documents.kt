@@ -100,7 +100,7 @@ internal class Documents(
         renamed?.edit
     }
 
-    /** Turns a refusal into an error of the request, whose message the editor shows. */
+    /** Turns a refusal into an error of the request. The editor shows the message of the error. */
     private fun <T> refusing(work: () -> T): T = try {
         work()
     } catch (refused: RefusedException) {
@@ -110,7 +110,7 @@ internal class Documents(
     private fun <T> at(parameters: TextDocumentPositionParams, none: T, find: Language.(Text, Int) -> T): CompletableFuture<T> =
         answer(parameters.textDocument.uri, none) { text -> find(text, text.offset(parameters.position)) }
 
-    /** Answers with the result of [find] for the editor's present text, or with [none] if the text or its language is unknown. */
+    /** Answers with the result of [find] for the editor's current text, or with [none] if the text or its language is unknown. */
     private fun <T> answer(uri: String, none: T, find: Language.(Text) -> T): CompletableFuture<T> {
         val text = texts[uri]
         val language = languages.of(uri)

@@ -19,7 +19,7 @@ import argo.tools.replay.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
 
 /**
- * Finds the language of a text by the ending of its file's name. Any thread may call [of]; only the server's worker thread may call other
+ * Finds the language of a text by the ending of its file's name. Any thread may call [of]. Only the server's worker thread may call other
  * functions. [tell] shows a line to the user.
  */
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
@@ -42,21 +42,21 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
         "json" to JsonFilterLanguage(findings::inFile, ::filterWords),
     )
 
-    /** Returns the language of [uri]; null: this server does not support such files. */
+    /** Returns the language of [uri]; null if this server does not support the file's ending. */
     fun of(uri: String): Language? = byEnding[uri.substringAfterLast('.')]
 
     fun diagnostics(text: Text): List<Diagnostic> = of(text.uri)?.diagnostics(text).orEmpty()
 
-    /** Does the same work as after a change of [text], and drops the result. */
+    /** Does the work that follows a change of [text], and drops the result. */
     fun rehearse(text: Text) {
         programOf(text.content)
         diagnostics(text)
     }
 
-    /** Call this after files were created, deleted or changed on the disk. */
+    /** Call this function after files were created, deleted or changed on the disk. */
     fun filesChanged() = projects.forget()
 
-    /** Returns the present percepts or beliefs of agents that run the program in [text], if they have a live view at a fixed port. */
+    /** Returns current percepts or beliefs of agents that run the program in [text]. The agents must have a live view at a fixed port. */
     private fun lastValues(text: Text, functor: String, arity: Int): List<String> {
         val project = projects.of(text)
         return project.checked.agentsOf(project.sourceOf(text).file).flatMap { agent ->

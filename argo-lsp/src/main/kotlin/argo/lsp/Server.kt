@@ -77,7 +77,7 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
 
     override fun close() {
         worker.shutdownNow()
-        worker.awaitTermination(1, TimeUnit.SECONDS) // so that the last messages reach the editor
+        worker.awaitTermination(1, TimeUnit.SECONDS) // lets the last messages reach the editor
     }
 
     private fun warn(line: String) = client.showMessage(MessageParams(MessageType.Warning, line))

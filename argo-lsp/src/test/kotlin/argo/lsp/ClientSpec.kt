@@ -17,7 +17,7 @@ import kotlin.io.path.absolute
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 
-/** Programs from npm that others use: a client of the protocol, the reader of grammars of Visual Studio Code, a validator of schemas. */
+/** Tests with widely used programs from npm: a client of the protocol, Visual Studio Code's reader of grammars, a validator of schemas. */
 class ClientSpec : FunSpec({
     val folder = Path.of("build/client").absolute()
     val scripts = Path.of("src/test/client").absolute()

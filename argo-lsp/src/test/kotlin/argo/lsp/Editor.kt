@@ -39,7 +39,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** An editor of a test, at the other end of pipes from a server in this program. */
+/** An editor for tests. Pipes connect it with a server in this program. */
 internal class Editor : AutoCloseable, LanguageClient {
     private val toServer = PipedOutputStream()
     private val toEditor = PipedOutputStream()
@@ -47,10 +47,10 @@ internal class Editor : AutoCloseable, LanguageClient {
     private val published = LinkedBlockingQueue<PublishDiagnosticsParams>()
     private val texts = HashMap<String, Pair<Int, String>>()
 
-    /** The newest of what the server has said, by the URI. */
+    /** The newest diagnostics that the server has published, by the URI. */
     private val said = HashMap<String, PublishDiagnosticsParams>()
 
-    /** What the server has reported of itself. */
+    /** The server's messages about itself. */
     val messages = LinkedBlockingQueue<String>()
 
     val remote: LanguageServer
@@ -72,7 +72,7 @@ internal class Editor : AutoCloseable, LanguageClient {
         remote.textDocumentService.didOpen(DidOpenTextDocumentParams(TextDocumentItem(uri, "any", 1, text)))
     }
 
-    /** Puts [text] into the place of the characters from [begin] to [end]. */
+    /** Replaces the characters from [begin] to [end] by [text]. */
     fun replace(uri: String, begin: Int, end: Int, text: String) {
         val (version, before) = texts.getValue(uri)
         val change = TextDocumentContentChangeEvent(Range(position(before, begin), position(before, end)), text)
@@ -84,7 +84,7 @@ internal class Editor : AutoCloseable, LanguageClient {
 
     fun version(uri: String): Int = texts.getValue(uri).first
 
-    /** Waits until the server has said something about the text that [uri] has now, and returns that. */
+    /** Returns the diagnostics of the current text of [uri]. Waits until the server has published them. */
     fun lastDiagnostics(uri: String): List<Diagnostic> {
         said[uri]?.takeIf { it.version == version(uri) }?.let { return it.diagnostics }
         return diagnostics(uri)
@@ -95,7 +95,7 @@ internal class Editor : AutoCloseable, LanguageClient {
         remote.textDocumentService.didClose(DidCloseTextDocumentParams(TextDocumentIdentifier(uri)))
     }
 
-    /** Waits for what the server says about the text that [uri] has now. */
+    /** Waits for the next diagnostics of the current text of [uri]. */
     fun diagnostics(uri: String): List<Diagnostic> {
         while (true) {
             val next = published.poll(LIMIT, TimeUnit.SECONDS)
@@ -105,7 +105,7 @@ internal class Editor : AutoCloseable, LanguageClient {
         }
     }
 
-    /** Returns all that the server has published and no call has taken. */
+    /** Returns all published diagnostics that no call has taken. */
     fun publications(): List<PublishDiagnosticsParams> = ArrayList<PublishDiagnosticsParams>().also { taken ->
         published.drainTo(taken)
         taken.forEach { said[it.uri] = it }
@@ -114,7 +114,6 @@ internal class Editor : AutoCloseable, LanguageClient {
     fun completions(uri: String, offset: Int): List<CompletionItem> =
         at(uri, offset).let { (file, place) -> ask { it.completion(CompletionParams(file, place)) }.left }
 
-    /** Returns the text that is shown at [offset]; null: none is. */
     fun hover(uri: String, offset: Int): String? =
         at(uri, offset).let { (file, place) -> ask { it.hover(HoverParams(file, place)) }?.contents?.right?.value }
 
@@ -129,7 +128,6 @@ internal class Editor : AutoCloseable, LanguageClient {
     fun references(uri: String, offset: Int): List<Location> =
         at(uri, offset).let { (file, place) -> ask { it.references(ReferenceParams(file, place, ReferenceContext(true))) }.toList() }
 
-    /** Returns the edits of a renaming, by the URIs of files. */
     fun rename(uri: String, offset: Int, name: String): Map<String, List<TextEdit>> =
         at(uri, offset).let { (file, place) -> ask { it.rename(RenameParams(file, place, name)) }?.changes.orEmpty() }
 
@@ -168,13 +166,13 @@ internal class Editor : AutoCloseable, LanguageClient {
     }
 }
 
-/** Returns the position of [offset] in [text], whose lines end as the protocol says; between `\r` and `\n` that of the line's end. */
+/** Returns the position of [offset] in [text]. Between `\r` and `\n`, returns the position of the line's end. */
 internal fun position(text: String, offset: Int): Position {
     val at = if (offset < text.length && text[offset] == '\n' && offset > 0 && text[offset - 1] == '\r') offset - 1 else offset
     val lines = text.substring(0, at).split("\r\n", "\n", "\r")
     return Position(lines.lastIndex, lines.last().length)
 }
 
-/** Returns [offset], or the place in front of the line end that it would tear. */
+/** Returns [offset], or the offset before `\r\n` if [offset] is between both characters. */
 internal fun whole(text: String, offset: Int): Int =
     if (offset in 1..<text.length && text[offset] == '\n' && text[offset - 1] == '\r') offset - 1 else offset

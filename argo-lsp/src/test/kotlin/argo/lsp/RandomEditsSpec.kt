@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.random.Random
 
-/** Texts under the hands of somebody who types anything anywhere. */
+/** Makes random edits at random places of texts. */
 class RandomEditsSpec : FunSpec({
     val files = mapOf(
         "file:///nowhere/robot.asl" to Path.of("../samples/collision/robot.asl").readText(),
@@ -25,7 +25,7 @@ class RandomEditsSpec : FunSpec({
         "<filter>", "</", "<!--", "-->", "&", ",", "\u00e9", "\uD83D\uDE00", "\u0000", "dist(front, Cm)", "argo.act(", "1e9", "\\", "\t",
     )
 
-    /** Makes [count] edits with requests in between; returns all that was published, checked against the texts of its versions. */
+    /** Makes [count] edits with requests in between. Returns all published diagnostics, checked against the texts of their versions. */
     fun Editor.type(count: Int, random: Random) {
         val versions = files.keys.associateWith { HashMap<Int, String>() }
         fun note(uri: String) = versions.getValue(uri).put(version(uri), text(uri))
@@ -68,7 +68,7 @@ class RandomEditsSpec : FunSpec({
     test("so do ten thousand").config(tags = setOf(NamedTag("Thorough"))) { survives(10_000, seed = 2) }
 })
 
-/** Asks all that an editor can ask about a place. */
+/** Makes each request that an editor can make for a place. */
 private fun Editor.ask(uri: String, offset: Int) {
     completions(uri, offset)
     hover(uri, offset)

@@ -33,6 +33,6 @@ internal object ActionManual {
 private val ROW = Regex("""\| `([a-z_]+)` \| (.+?) \| (.+) \|""")
 private val LINK = Regex("""\[([^\]]+)]\([^)]+\)""")
 
-/** Matches the words "list of" and the options behind them, in the same sentence or as list items below. */
+/** Matches the words "list of" and the options after them, in the same sentence or as list items below. */
 private val LIST = Regex("""\blist\s+of\s((?:\s*`[a-z]+(?:\([^`]*\))?`(?:,|\s+or)?)+|(?:- (?:.+\n?)+))""")
 private val OPTION = Regex("""`(([a-z]+)(?:\([^`]*\))?)`(?:: ((?:.+\n?)(?: .+\n?)*))?""")

@@ -35,7 +35,7 @@ internal class Completions(private val project: Project, private val source: Sou
         }.distinctBy { it.label }
     }
 
-    /** The words for the argument of an action, or of `error(…)`; null: any word is possible. */
+    /** The words for the argument of an action, or of `error(…)`; null if any word is possible. */
     private fun inCall(): List<CompletionItem>? = when {
         call == null -> null
         call.name == "error" && call.argument == 0 ->

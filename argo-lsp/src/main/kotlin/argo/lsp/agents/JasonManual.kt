@@ -6,7 +6,7 @@ import java.net.URLClassLoader
 
 /**
  * The names and documentation of Jason's internal actions. The documentation comes from Jason's classes. [classPath] is a class path that
- * contains Jason; null: there is no documentation.
+ * contains Jason; null if there is no documentation.
  */
 internal class JasonManual(classPath: String?) {
     private val loader = classPath?.let { path ->
@@ -16,7 +16,7 @@ internal class JasonManual(classPath: String?) {
     /** The pages of actions in Markdown, by names such as `.print`. */
     val actions: Map<String, String> = INTERNAL_ACTION_NAMES.filter { it.startsWith(".") }.associateWith { page(it).orEmpty() }
 
-    /** Returns the annotation of the action's class as a page; null: the class has none, as in some versions of Jason. */
+    /** Returns the annotation of the action's class as a page; null if the class has none, as in some versions of Jason. */
     private fun page(action: String): String? {
         val type = try {
             loader?.loadClass("jason.stdlib$action")

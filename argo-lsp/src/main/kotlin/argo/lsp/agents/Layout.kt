@@ -11,9 +11,9 @@ import argo.check.syntax.Unread
 import argo.check.syntax.programOf
 
 /**
- * Returns the blanks of [program] that the layout changes: at the ends of lines, in front of lines, and beside brackets, commas and
- * operators. It neither joins nor splits lines. Several blanks in a row stay, since they may align a column. Components with an error stay
- * unchanged.
+ * Returns the blanks of [program] that the layout changes. It changes blanks at the ends of lines, at the beginnings of lines, and beside
+ * brackets, commas and operators. The layout neither joins nor splits lines. Several blanks in a row stay, since they may align a column.
+ * Components with an error stay unchanged.
  */
 internal fun layoutOf(program: Program): List<Blanks> {
     val changes = Layout(program).changes()
@@ -35,7 +35,7 @@ private class Layout(private val program: Program) {
     private var line = 0
     private var nesting = 0
 
-    /** True behind a `<-` that begins a line. Each statement is then on its own line. */
+    /** True after a `<-` that begins a line. Each statement is then on its own line. */
     private var isBelowArrow = false
 
     init {

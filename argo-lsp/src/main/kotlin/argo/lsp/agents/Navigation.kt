@@ -33,7 +33,7 @@ internal class Navigation(private val project: Project, private val source: Sour
         return source.occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
     }
 
-    /** Returns all places of the belief or goal at [offset]; includes its definitions if [withDefinitions]. */
+    /** Returns all places of the belief or goal at [offset]. Includes its definitions if [withDefinitions] is true. */
     fun references(offset: Int, withDefinitions: Boolean): List<Location> {
         val symbol = source.occurrenceAt(offset)?.symbol ?: return emptyList()
         return places { it.symbol == symbol && (withDefinitions || !it.isDefinition) }

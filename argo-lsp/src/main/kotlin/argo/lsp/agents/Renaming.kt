@@ -8,10 +8,10 @@ import argo.lsp.project.Source
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.WorkspaceEdit
 
-/** Renames beliefs and goals in all programs that belong to the same agents as [source]. */
+/** Renames beliefs and goals in all programs of the agents that use [source]. */
 internal class Renaming(private val project: Project, private val source: Source) {
     /**
-     * Returns the belief or goal at [offset]; null: there is none.
+     * Returns the belief or goal at [offset]; null if there is none.
      *
      * @throws RefusedException if the name is also used outside of the agent's programs
      */
@@ -52,7 +52,7 @@ internal class Renaming(private val project: Project, private val source: Source
         }
     }
 
-    /** Returns the agents in project files whose option `beliefs` or `goals` contains the name. A renaming does not change options. */
+    /** Returns the agents in project files with the name in their option `beliefs` or `goals`. A renaming does not change options. */
     private fun initialIn(occurrence: Occurrence): List<String> {
         val agents = project.checked.agentsOf(source.file)
         return project.checked.masFiles.flatMap { mas ->

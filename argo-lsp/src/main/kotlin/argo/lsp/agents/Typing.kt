@@ -27,16 +27,16 @@ internal class Typing(private val program: Program, private val offset: Int) {
     /** True if the cursor is in a comment or a string. */
     val isAside: Boolean = touched?.let { it.kind == TokenKind.COMMENT || it.kind == TokenKind.STRING } == true
 
-    /** The word up to the cursor, including dots, such as `argo.ac`; empty: there is no word. */
+    /** The word up to the cursor, including dots, such as `argo.ac`; empty if there is no word. */
     val word: Span = Span(beginningOfWord(), offset)
 
     val text: String get() = program.text.substring(word.start, word.end)
 
-    /** The tokens before [word] in the same belief, rule, goal or plan. */
+    /** The tokens before [word] in its belief, rule, goal or plan. */
     private val before: List<Token> = program.tokens.filter { it.span.end <= word.start && it.kind != TokenKind.COMMENT }
         .let { tokens -> tokens.subList(tokens.indexOfLast { it.isSymbol(".") } + 1, tokens.size) }
 
-    /** The symbols before [word], such as `+!`, perhaps with blanks behind them. */
+    /** The symbols before [word], such as `+!`. Blanks may follow them. */
     val prefix: String = before.takeLastWhile { it.kind == TokenKind.SYMBOL && it.text in PREFIXES }.joinToString("") { it.text }
 
     val region: Region = when {

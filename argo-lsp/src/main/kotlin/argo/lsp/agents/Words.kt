@@ -13,7 +13,7 @@ internal class Words(
     val options: Map<String, Map<String, String>>,
     val hasSnippets: Boolean,
 ) {
-    /** Returns the name of the ARGO action that a program can call by [called]; null: [called] is no action of ARGO. */
+    /** Returns the name of the ARGO action that a program can call by [called]; null if [called] is no action of ARGO. */
     fun actionIn(called: String): String? = called.removePrefix(".").removePrefix("argo.")
         .takeIf { (called.startsWith(".") || called.startsWith("argo.")) && "argo.$it" in actions }
 }

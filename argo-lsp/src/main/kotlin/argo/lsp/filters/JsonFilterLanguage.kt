@@ -9,7 +9,7 @@ import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
-/** Helps with filters in JSON, and not with other JSON files. */
+/** Helps with filters in JSON, but not with other JSON files. */
 internal class JsonFilterLanguage(private val find: (Text) -> List<Diagnostic>, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> = find(text)
 

@@ -12,7 +12,7 @@ internal object JsonFilterSchema {
     fun members(path: List<String>): List<Named> =
         at(path)?.getAsJsonObject("properties")?.entrySet().orEmpty().map { (name, kind) -> named(name, kind.asJsonObject) }
 
-    /** Returns the member at [path]; null: there is none. */
+    /** Returns the member at [path]; null if there is none. */
     fun member(path: List<String>): Named? {
         val name = path.lastOrNull()?.takeIf { it != JsonPlace.ITEM } ?: return null
         return at(path.dropLast(1))?.getAsJsonObject("properties")?.getAsJsonObject(name)?.let { named(name, it) }

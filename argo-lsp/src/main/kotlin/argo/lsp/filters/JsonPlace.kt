@@ -1,12 +1,12 @@
 package argo.lsp.filters
 
 /**
- * A place in a JSON document. The document may be incomplete there.
+ * A place in a JSON document. The document may be incomplete at the place.
  *
  * @property path the members around the place, the outermost first; `[]` for an item of an array
  * @property isName true if the place is for the name of a member, false if it is for a value
  * @property isQuoted true if the place is between quotes
- * @property begin the offset at which the word at the place begins, behind a quote
+ * @property begin the offset at which the word at the place begins, after a quote
  */
 internal data class JsonPlace(val path: List<String>, val isName: Boolean, val isQuoted: Boolean, val begin: Int) {
     companion object {
@@ -18,7 +18,7 @@ internal data class JsonPlace(val path: List<String>, val isName: Boolean, val i
 }
 
 private class JsonScan(private val document: String, private val end: Int) {
-    /** An open object or array. [name] is the member whose value is being read or will be read next. */
+    /** An open object or array. [name] is the member with the value that is being read or will be read next. */
     private class Level(val isObject: Boolean) {
         var name: String? = null
         var isInValue = false

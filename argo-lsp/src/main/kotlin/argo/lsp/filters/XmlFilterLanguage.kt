@@ -9,7 +9,7 @@ import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
-/** Helps with filters in XML, and not with other XML files. */
+/** Helps with filters in XML, but not with other XML files. */
 internal class XmlFilterLanguage(private val find: (Text) -> List<Diagnostic>, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> = find(text)
 

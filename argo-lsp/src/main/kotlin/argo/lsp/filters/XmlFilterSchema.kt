@@ -4,7 +4,7 @@ import org.w3c.dom.Element
 import org.w3c.dom.Node
 import javax.xml.parsers.DocumentBuilderFactory
 
-/** An attribute and its possible values; [values] is empty if there are too many to list. */
+/** An attribute and its possible values. [values] is empty if there are too many to list. */
 internal class XmlAttributeKind(val named: Named, val values: List<String>)
 
 internal class XmlElementKind(val named: Named, val attributes: List<XmlAttributeKind>, elements: () -> List<XmlElementKind>) {
@@ -20,7 +20,7 @@ internal object XmlFilterSchema {
     fun elementsIn(open: List<String>): List<XmlElementKind> =
         open.fold(root) { known, name -> known.find { it.named.name == name }?.elements.orEmpty() }
 
-    /** Returns the element [name] if the innermost element of [open] may contain it; null: it may not. */
+    /** Returns the element [name] if the innermost element of [open] may contain it, else null. */
     fun element(open: List<String>, name: String): XmlElementKind? = elementsIn(open).find { it.named.name == name }
 
     private fun element(node: Element): XmlElementKind {
@@ -47,7 +47,8 @@ internal object XmlFilterSchema {
     }
 
     /**
-     * Returns the values of a simple type. For a union, returns those of the first part, since the other parts are only other spellings.
+     * Returns the values of a simple type. For a union, returns the values of the first part, since the other parts are only other
+     * spellings.
      */
     private fun values(type: String): List<String> {
         val simple = global("simpleType", type) ?: return emptyList()

@@ -1,9 +1,9 @@
 package argo.lsp.filters
 
 /**
- * A place in an XML document. The document may be incomplete there.
+ * A place in an XML document. The document may be incomplete at the place.
  *
- * @property open the names of the elements around the place, the root first, without an element whose tag is at the place
+ * @property open the names of the elements around the place, the root first. If the place is in a tag, the tag's element is left out
  * @property begin the offset at which the word at the place begins
  */
 internal data class XmlPlace(val open: List<String>, val part: Part, val begin: Int) {
@@ -12,7 +12,7 @@ internal data class XmlPlace(val open: List<String>, val part: Part, val begin: 
         /** Text between tags. */
         data object Content : Part
 
-        /** The name of a tag; the name of an end tag if [isEnd]. */
+        /** The name of a tag. If [isEnd] is true, the name of an end tag. */
         data class Name(val isEnd: Boolean) : Part
 
         data class Attribute(val element: String) : Part
@@ -51,7 +51,7 @@ private class XmlScan(private val document: String, private val end: Int) {
         return true
     }
 
-    /** Reads a tag. Returns the place if it is in the tag; null: it is not. */
+    /** Reads a tag. Returns the place if it is in the tag, else null. */
     private fun tag(): XmlPlace? {
         at++
         val isEnd = document.getOrNull(at) == '/'

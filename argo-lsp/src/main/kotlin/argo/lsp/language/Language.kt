@@ -17,24 +17,25 @@ internal interface Language {
     /** Returns the words that may be inserted at [offset] of [text]. */
     fun completions(text: Text, offset: Int): List<CompletionItem> = emptyList()
 
-    /** Returns the documentation of the word at [offset] of [text]; null: there is none. */
+    /** Returns the documentation of the word at [offset] of [text]; null if there is none. */
     fun hover(text: Text, offset: Int): Hover? = null
 
     /** Returns the places that define the word at [offset] of [text]. */
     fun definitions(text: Text, offset: Int): List<Location> = emptyList()
 
-    /** Returns all places of the name at [offset] of [text]; includes its definitions if [withDefinitions]. */
+    /** Returns all places of the name at [offset] of [text]. Includes its definitions if [withDefinitions] is true. */
     fun references(text: Text, offset: Int, withDefinitions: Boolean): List<Location> = emptyList()
 
     /**
-     * Returns the place of the name at [offset] of [text], which can be renamed; null: there is no name.
+     * Returns the place of the name at [offset] of [text], which can be renamed; null if there is no name.
      *
      * @throws RefusedException if the name cannot be changed; its message is the reason
      */
     fun renamed(text: Text, offset: Int): Range? = null
 
     /**
-     * Returns the changes that rename the word at [offset] of [text] to [name], with a note for the user. Null: the word is no name.
+     * Returns the changes that rename the word at [offset] of [text] to [name], with a note for the user. Returns null if the word is no
+     * name.
      *
      * @throws RefusedException if the name cannot be changed; its message is the reason
      */
@@ -46,8 +47,8 @@ internal interface Language {
     fun layout(text: Text): List<TextEdit> = emptyList()
 }
 
-/** @property note the places that the renaming does not change; null: none */
+/** @property note the places that the renaming does not change; null if there are none */
 internal class Renamed(val edit: WorkspaceEdit, val note: String?)
 
-/** A request of the editor cannot be fulfilled; [message] tells the user the reason. */
+/** Reports that an editor's request cannot be fulfilled. [message] tells the user the reason. */
 internal class RefusedException(message: String) : Exception(message)

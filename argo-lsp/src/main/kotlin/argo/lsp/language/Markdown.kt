@@ -11,7 +11,7 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either
 
 internal fun markdown(page: String) = MarkupContent(MarkupKind.MARKDOWN, page)
 
-/** Offers [word] as a replacement of [span] in [text]. The [meaning] is in Markdown; empty: none is known. */
+/** Offers [word] as a replacement of [span] in [text]. [meaning] is in Markdown, or empty if no meaning is known. */
 internal fun completion(word: String, kind: CompletionItemKind, meaning: String, text: Text, span: Span) = CompletionItem(word).apply {
     this.kind = kind
     if (meaning.isNotEmpty()) documentation = Either.forRight(markdown(meaning))

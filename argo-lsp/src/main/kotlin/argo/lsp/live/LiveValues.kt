@@ -15,13 +15,13 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Gets an agent's present percepts and beliefs from the agent's live view on this computer. */
+/** Gets an agent's current percepts and beliefs from the agent's live view on this computer. */
 internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_MS)) {
     private val client by lazy { HttpClient.newBuilder().connectTimeout(limit).build() }
 
     /**
-     * Returns the newest percepts with this [functor] and [arity]; if there are none, returns such beliefs. Empty if [agent] has no view at
-     * [port].
+     * Returns the newest percepts with this [functor] and [arity]. If there are none, returns beliefs with this [functor] and [arity].
+     * Returns an empty list if [agent] has no view at [port].
      */
     fun of(port: Int, agent: String, functor: String, arity: Int): List<String> {
         val state = state(port, agent) ?: return emptyList()

@@ -24,7 +24,7 @@ internal class Project(
     fun sourceOf(text: Text): Source = fileOf(text.uri)?.let(checked.programs::get)?.let { Source(it, text) }
         ?: Source(AgentProgram(Path.of(text.uri.substringAfterLast('/')), text.content), text)
 
-    /** Returns the programs that belong to the same agents as [source], beginning with [source]. */
+    /** Returns [source], followed by the other programs of the agents that use [source]. */
     fun family(source: Source): List<Source> =
         listOf(source) + checked.partsOf(source.file).programs.filter { it !== source.agent }.map(::source)
 

@@ -16,14 +16,14 @@ import kotlin.io.path.extension
  * called once for each description in a project's files that cannot be read.
  */
 internal class Projects(private val texts: OpenTexts, private val tell: (String) -> Unit) {
-    /** The projects, by their folders. For a file without a project file near it, the file's folder is the project folder. */
+    /** The projects, by their folders. If there is no project file near a file, the file's folder is the project folder. */
     private val read = HashMap<Path, Project>()
     private val told = HashSet<String>()
 
     /** Maps folders of files to the project folders that contain them. */
     private val roots = HashMap<Path, Optional<Path>>()
 
-    /** Forgets all projects, so that they are read again. Call this after files have changed on the disk, or a text was closed. */
+    /** Forgets all projects, so that they are read again. Called after files have changed on the disk, or a text was closed. */
     fun forget() {
         read.clear()
         roots.clear()
@@ -39,7 +39,9 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         return (if (current === known) Project(current, open, last.check) else Project(current, open)).also { read[folder] = it }
     }
 
-    /** Returns this project with the editor's [text] of the file [path]; returns the same project if it has this text already. */
+    /**
+     * Returns this project with the editor's [text] of the file [path]. If the project already has this text, returns the project itself.
+     */
     private fun argo.check.project.Project.with(path: Path, text: Text): argo.check.project.Project = when (path.extension) {
         "asl" -> if (programs[path]?.program?.text == text.content) this else with(path, text.content)
         "mas2j" -> if (projectFiles.any { it.path == path && it.text == text.content }) this
@@ -54,12 +56,12 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         return found
     }
 
-    /** Returns the folder of the nearest project file above [file]; null: none is near. */
+    /** Returns the folder of the nearest project file above [file]; null if none is near. */
     private fun rootOf(file: Path): Path? =
         roots.getOrPut(file.parent) { Optional.ofNullable(ProjectReader.rootOf(file)) }.orElse(null)
 }
 
-/** Returns the absolute path of the file of [uri]; null: [uri] names no file on this computer. */
+/** Returns the absolute path of the file of [uri]; null if [uri] names no file on this computer. */
 internal fun fileOf(uri: String): Path? = try {
     URI(uri).takeIf { it.scheme == "file" }?.let { Path.of(it).toAbsolutePath().normalize() }
 } catch (_: IllegalArgumentException) {

@@ -17,7 +17,10 @@ internal data class Symbol(val subject: Subject, val functor: String, val arity:
 internal class Occurrence(val symbol: Symbol, private val role: Role, val literal: Literal) {
     val name: Span get() = literal.name.span
 
-    /** True for a plan that handles the goal, and for a belief, a rule, a step or a plan `+?b` that provides the belief. */
+    /**
+     * True if the place is a plan that handles the goal. For a belief, true if it is a belief, a rule, a step or a plan `+?b` that provides
+     * it.
+     */
     val isDefinition: Boolean get() = role in DEFINING
 
     /** True if the place is in a message to another agent. */
@@ -26,7 +29,7 @@ internal class Occurrence(val symbol: Symbol, private val role: Role, val litera
     /** True if the place adopts the goal or reads the belief. */
     val isUse: Boolean get() = !isDefinition && role != Role.EVENT
 
-    /** The namespace as written; empty: the literal has none. */
+    /** The namespace as written; empty if the literal has none. */
     val namespace: String get() = literal.namespace?.toString()?.substringBefore('/').orEmpty()
 
     companion object {
@@ -35,7 +38,7 @@ internal class Occurrence(val symbol: Symbol, private val role: Role, val litera
         private val DEFINING = setOf(Role.HANDLED, Role.BELIEVED, Role.TEST_HANDLED)
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
-        /** Returns the place of [mention]; null: it is neither a belief nor a goal. */
+        /** Returns the place of [mention]; null if it is neither a belief nor a goal. */
         fun of(mention: Mention): Occurrence? {
             val subject = if (mention.role in OF_GOALS) Subject.GOAL else Subject.BELIEF.takeIf { mention.role in OF_BELIEFS }
             return subject?.let { Occurrence(Symbol(it, mention.functor, mention.arity), mention.role, mention.literal) }

@@ -49,7 +49,6 @@ internal class ProjectFileLanguage(
         return Hover(markdown("`${token.text}`\n\n${OPTIONS[token.text]}"), text.range(token.span))
     }
 
-    /** Returns the place of an agent's program for the agent's name. */
     override fun definitions(text: Text, offset: Int): List<Location> {
         val file = read(text)
         val agent = file.agents.find { it.name.span.touches(offset) } ?: return emptyList()

@@ -11,7 +11,7 @@ internal class OpenTexts {
         texts[text.uri] = text
     }
 
-    /** Applies [changes] to the text of [uri]; does nothing if the editor has not opened it. */
+    /** Applies [changes] to the text of [uri]. Does nothing if the editor has not opened it. */
     @Synchronized
     fun change(uri: String, version: Int, changes: List<TextDocumentContentChangeEvent>) {
         texts[uri]?.let { texts[uri] = it.changed(version, changes) }

@@ -16,7 +16,7 @@ import org.eclipse.lsp4j.TextDocumentContentChangeEvent
 internal class Text(val uri: String, val version: Int, val content: String) {
     private val lines: Lines by lazy(LazyThreadSafetyMode.PUBLICATION) { Lines(content) }
 
-    /** Returns the offset of [position]. If [position] is behind the end of its line or of the text, returns the offset of that end. */
+    /** Returns the offset of [position]. If [position] is after the end of its line or of the text, returns the offset of this end. */
     fun offset(position: Position): Int = lines.offset(argo.check.syntax.Position(position.line + 1, position.character + 1))
 
     fun position(offset: Int): Position = lines.position(offset).let { Position(it.line - 1, it.column - 1) }

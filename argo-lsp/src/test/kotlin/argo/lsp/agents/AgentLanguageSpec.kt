@@ -19,7 +19,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.writeText
 
-/** Agents' programs in an editor. A `§` in a text of these tests is the cursor. */
+/** In the texts of these tests, a `§` is the cursor. */
 class AgentLanguageSpec : FunSpec({
     val project = tempdir().toPath()
     val uri = project.resolve("src/agt/robot.asl").toUri().toString()

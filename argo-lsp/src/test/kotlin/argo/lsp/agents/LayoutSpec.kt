@@ -21,7 +21,6 @@ private fun laidOut(text: String): String =
         result.replace(blanks.span.start, blanks.span.end, blanks.text)
     }.toString()
 
-/** The layout of agents' programs. */
 class LayoutSpec : FunSpec({
     val samples = Path.of("../samples").walk().filter { it.extension == "asl" && "target" !in "$it" }.map { it.readText() }.toList()
 

@@ -14,7 +14,7 @@ import kotlin.io.path.writeText
 private const val XML = "file:///filters/near.xml"
 private const val JSON = "file:///filters/near.json"
 
-/** Filters in an editor. A `§` in a text of these tests is the cursor. */
+/** In the texts of these tests, a `§` is the cursor. */
 class FilterLanguageSpec : FunSpec({
     fun <T> at(uri: String, marked: String, ask: Editor.(Int) -> T): T = Editor().use { editor ->
         editor.open(uri, marked.replace("§", ""))

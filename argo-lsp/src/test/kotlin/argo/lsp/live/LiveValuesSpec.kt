@@ -9,7 +9,6 @@ import java.net.InetSocketAddress
 import java.net.Socket
 import java.time.Duration
 
-/** What an agent that runs with a live view perceives and believes now. */
 class LiveValuesSpec : FunSpec({
     val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0)
     val port = server.address.port
@@ -18,7 +17,7 @@ class LiveValuesSpec : FunSpec({
         val state = """{"sensors": {"percepts": [{"text": "dist(front,38)", "ageMs": 12}, {"text": "dist(9)", "ageMs": 1}]},
             "beliefs": {"beliefs": [{"text": "led(on)"}]}}""".replace("\n", "")
         exchange.responseBody.write("retry: 1000\n\ndata: $state\n\n".toByteArray())
-        exchange.responseBody.flush() // and the stream stays open, as the view's does
+        exchange.responseBody.flush() // the stream stays open, like that of a view
     }
     server.start()
     afterSpec { server.stop(0) }
@@ -31,7 +30,7 @@ class LiveValuesSpec : FunSpec({
 
     test("an agent that has no page, or does not run, has no values") {
         values.of(port, "other", "dist", 2).shouldBeEmpty()
-        Socket().use { silent -> // nobody else can listen at its port
+        Socket().use { silent -> // no other program can listen at this port
             silent.bind(null)
             values.of(silent.localPort, "robot", "dist", 2).shouldBeEmpty()
         }

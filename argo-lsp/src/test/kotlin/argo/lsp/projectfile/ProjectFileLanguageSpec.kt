@@ -13,7 +13,7 @@ import io.kotest.matchers.string.shouldEndWith
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
-/** Project files in an editor. A `§` in a text of these tests is the cursor. */
+/** In the texts of these tests, a `§` is the cursor. */
 class ProjectFileLanguageSpec : FunSpec({
     val folder = tempdir().toPath()
     val uri = folder.resolve("robot.mas2j").toUri().toString()

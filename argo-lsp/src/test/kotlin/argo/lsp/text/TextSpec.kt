@@ -12,7 +12,6 @@ import org.eclipse.lsp4j.Position
 import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent
 
-/** Texts, and the changes that an editor makes to them. */
 class TextSpec : FunSpec({
     test("a change of a part leaves what replacing it in the text does, and one without a place replaces all") {
         checkAll(Arb.string(0..40), Arb.list(Arb.int(0..100), 2..2), Arb.string(0..5)) { characters, places, put ->
