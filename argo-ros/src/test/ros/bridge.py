@@ -1,4 +1,4 @@
-"""A small bridge of the rosbridge protocol to a ROS 1 graph, for tests: topics and services in both directions, and a little of rosapi.
+"""A small rosbridge server for a ROS 1 graph, for tests. Supports topics and services in both directions, and a part of rosapi.
 
     bridge.py PORT
 
@@ -48,7 +48,7 @@ def message_class(name):
 
 
 class Subscription:
-    """Keeps the newest message of a topic, and has it sent each interval."""
+    """Keeps the newest message of a topic, and sends it each interval."""
 
     def __init__(self, client, topic, kind, interval):
         self.client, self.topic, self.interval = client, topic, interval
@@ -74,14 +74,14 @@ class Subscription:
 
 
 class Service:
-    """Has a client answer for a service."""
+    """Forwards calls of a service to a client."""
 
     def __init__(self, client, name, kind):
         self.client, self.name, self.loop = client, name, asyncio.get_running_loop()
         self.found = roslib.message.get_service_class(kind)
         if self.found is None:
             raise ValueError("there is no type " + kind)
-        if name in SERVICES:  # of a client that has gone
+        if name in SERVICES:  # left by a client that has disconnected
             SERVICES.pop(name).shutdown()
         SERVICES[name] = rospy.Service(name, self.found, self.ask)
 
@@ -116,7 +116,7 @@ class Client(WebSocketHandler):
     async def on_message(self, text):
         try:
             self.hear(json.loads(text))
-        except Exception as trouble:  # which the clients of a real bridge do not see either
+        except Exception as trouble:  # a real bridge also hides these errors from its clients
             print("%s: %s" % (text[:200], trouble), flush=True)
 
     def hear(self, operation):

@@ -1,4 +1,4 @@
-"""Uses the board /uno of a ROS 1 graph by the tools of ROS and by actionlib, and prints all that it saw as JSON."""
+"""Uses the board /uno of a ROS 1 graph with the ROS tools and actionlib. Prints all results as JSON."""
 
 import json
 import subprocess
@@ -20,7 +20,7 @@ seen = {
     "topics": tool("rostopic", "list").split(),
     "services": tool("rosservice", "list").split(),
     "type": tool("rostopic", "type", "/uno/count"),
-    "port": tool("rostopic", "echo", "-n", "1", "/uno/port"),  # was published once, before anybody asked
+    "port": tool("rostopic", "echo", "-n", "1", "/uno/port"),  # was published once, before the first subscription
     "count": tool("rostopic", "echo", "-n", "1", "/uno/count/data"),
     "stop": tool("rosservice", "call", "/uno/stop"),
     "blink": tool("rosservice", "call", "/uno/blink", "['1']"),

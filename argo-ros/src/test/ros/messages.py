@@ -1,7 +1,4 @@
-"""Makes the Python modules of a ROS 1 package, as catkin does: those of its messages, services and actions, and its own.
-
-    messages.py PACKAGE_FOLDER OUTPUT_FOLDER
-"""
+"""Makes the Python modules of a ROS 1 package, as catkin does: messages, services, actions, and the package's own modules."""
 
 import pathlib
 import shutil

@@ -1,9 +1,9 @@
-"""Stands between one client and a bridge, and writes the messages of both as JSON lines, for TranscriptBridge to answer as that bridge did.
+"""Forwards messages between one client and a bridge, and records them as JSON lines for TranscriptBridge.
 
     record.py PORT BRIDGE_PORT FILE
 
-Each line has the time since the client connected in ms, who sends, and the message: {"ms": 12, "from": "bridge", "message": {…}}.
-Ends when the client or the bridge has gone.
+Each line has the time in ms since the client connected, the sender and the message: {"ms": 12, "from": "bridge", "message": {…}}. Ends when
+the client or the bridge disconnects.
 """
 
 import asyncio

@@ -1,13 +1,14 @@
-"""A robot on a real ROS 1 graph, behind the bridge of tests and of recorded transcripts.
+"""A robot on a real ROS 1 graph, for tests and recorded transcripts.
 
     robot.py [HZ]
 
-Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range, with the time) and /scan (sensor_msgs/LaserScan, with a NaN and an infinite
-range) at HZ, 20 unless given, and each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger), /lamp (std_srvs/SetBool, no
-success when it is switched off), /rest (std_srvs/Empty) and /camera (sensor_msgs/SetCameraInfo, which says the distortion model again), and
-the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second, with half of it as feedback before, one
-below is aborted, and 0 is rejected. Goals that were cancelled are on /cancelled (std_msgs/Int32). /clients (std_msgs/Int32) has the number of
-clients of which the robot hears /cmd_vel, goals and cancellations, and that hear /driven, results and feedback: an earlier message is lost.
+Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range with a time stamp) and /scan (sensor_msgs/LaserScan with a NaN and an infinite
+range) at HZ. The default of HZ is 20. Republishes each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger), /lamp
+(std_srvs/SetBool; switching off fails), /rest (std_srvs/Empty) and /camera (sensor_msgs/SetCameraInfo; the answer repeats the distortion
+model). Serves the action /drive (actionlib/TestAction). A goal above 0 succeeds after as many tenths of a second. The feedback is half of
+the goal. A goal below 0 is aborted, and 0 is rejected. Publishes cancelled goals on /cancelled (std_msgs/Int32). Counts the connections of
+/cmd_vel, goals, cancellations, /driven, results and feedback, and publishes the smallest count on /clients (std_msgs/Int32). A client loses
+messages that were sent before it connected.
 """
 
 import sys

@@ -15,14 +15,13 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import java.util.concurrent.ForkJoinPool
 
-/** The robot that the name of a port means, or a bag that replaces the robot. [mapping] is the name of the robot's mapping. */
 internal class RobotPort private constructor(val mapping: String, val connect: (BridgeListener, LineClock) -> Bridge) {
     companion object {
         private const val ENDINGS = "mcap|db3|bag|zstd"
         private val BAG = Regex("replay:(.+\\.(?:$ENDINGS)|[^#]+)(?:#.*)?")
         private val ENDED = Regex(".*\\.(?:$ENDINGS)")
 
-        /** Returns true if [port] names a bag, even a bag that cannot be read here. */
+        /** Returns true if [port] names a bag file. The bag may be unreadable. */
         fun isBag(port: String) = fileIn(port) != null
 
         private fun fileIn(port: String) = BAG.matchEntire(port)?.groupValues?.get(1)

@@ -5,8 +5,11 @@ import java.net.URI
 import java.net.URISyntaxException
 
 /**
- * The address of a bridge, and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`; with encryption
- * `wss://robot.example/rosbridge#left`. [mapping] is the name of the mapping; `robot` unless a name follows `#`.
+ * The address of a bridge, and the name of the mapping file for its robot.
+ *
+ * Examples: `ros://robot.local:9090`, `ros://robot:9090#left`, `wss://robot.example/rosbridge#left`.
+ *
+ * [mapping] is the text behind `#`, or `robot` without a `#`.
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {

@@ -47,11 +47,10 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
- * agent's filter drops completely.
+ * A robot behind a bridge of the rosbridge protocol. The link subscribes to the topics of the mapping. The link skips topics whose percepts
+ * the agent's filter drops completely.
  *
- * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns messages into percepts. So no message
- * waits for a thread or for another message.
+ * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns messages into percepts.
  */
 internal class RosLink private constructor(
     override val port: String,
@@ -70,18 +69,17 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    // guarded by the lock, like the fields below it that are not volatile
-    private val poses = mapping.poses.distinctBy { it.topic } // several rules may be about one pose
+    // the lock guards this field and all non-volatile fields below
+    private val poses = mapping.poses.distinctBy { it.topic } // several rules may use one pose
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private val frames = FrameTree(mapping.poses.mapNotNull { it.frames }) { warn("${mapping.source}: $it") }
     private var wish: Wish? = null
-    private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
+    private var clockType: String? = null // the type of the topic /clock; null if the robot has no such topic
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
     private var end: String? = null
 
-    /** The time of the last sign of life, by the clock. */
     @Volatile
     private var aliveNanos = clock.nanos()
 
@@ -107,7 +105,7 @@ internal class RosLink private constructor(
         }
 
         override fun isAlive() {
-            aliveNanos = clock.nanos() // a waiting thread reads this when its time is over, so it need not be woken
+            aliveNanos = clock.nanos() // a waiting thread reads this value when its wait ends
         }
 
         override fun told(sentence: String, isTrouble: Boolean) = if (isTrouble) warn(sentence) else tell(sentence)
@@ -122,7 +120,7 @@ internal class RosLink private constructor(
         if (topic == RobotTime.CLOCK) message.part("clock")?.rosNanos()?.let { time.show(it, nowNanos) }
         val trueNanos = time.trueAt(topic, message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
         lock.withLock {
-            if (topic !in subscribed) return // the message was on its way when the topic was unsubscribed
+            if (topic !in subscribed) return // the bridge sent the message before it handled the unsubscription
             silent.heard(topic, nowNanos)
             if (topic in Frames.TOPICS) moved(message, topic, nowNanos)
             if (topic in perceived) topics.add(topic, message, trueNanos, nowNanos)
@@ -130,7 +128,6 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Takes the transforms in [message] of [topic], and the poses that result from them. */
     private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
         frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
         for (rule in poses) {
@@ -139,7 +136,7 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Takes the newest [feedback] of a goal; null: the goal has ended, and its feedback is forgotten. */
+    /** Stores the newest [feedback] of a goal. Null means that the goal has ended. */
     private fun progress(rule: PerceptRule, feedback: JsonObject?) = lock.withLock {
         val now = clock.nanos()
         if (feedback == null) topics.forget(rule.topic) else if (wish?.isSensed == true) topics.add(rule.topic, feedback, now, now)
@@ -183,14 +180,13 @@ internal class RosLink private constructor(
         "queue_length" to one.queueLength,
     )
 
-    /** Waits for a message. If no message has come after half of [timeoutMs], pings the bridge. */
+    /** Waits for a message. If none comes within half of [timeoutMs], pings the bridge. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
         explain(lock.withLock { silent.next(clock.nanos()) })
         return lock.withLock { next(timeoutMs) }
     }
 
-    /** Looks for the reasons why topics have been silent since they were subscribed to. */
     fun explainSilence() = explain(
         lock.withLock {
             frames.explain()
@@ -220,13 +216,13 @@ internal class RosLink private constructor(
     }
 
     /**
-     * Ends a wait in which no message has come since [startNanos]. Without subscriptions, returns the percepts that hold; otherwise null.
-     * Throws a [PortTimeoutException] if the bridge has given no sign of life during the wait.
+     * Ends a wait in which no message has come since [startNanos]. Without subscriptions, returns the current percepts; otherwise returns
+     * null. Throws a [PortTimeoutException] if the bridge has given no sign of life during the wait.
      */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // if there are no subscriptions, it is enough that the bridge is alive
+        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, a living bridge is enough
     }
 
     private fun await(nanos: Long) {
@@ -259,13 +255,13 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // a socket that is closing may accept the command and lose it
+        val isOver = bridge == null || !isOpen // a closing socket may accept the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
     private fun tell(message: String) = log(Level.INFO, "port $port: $message")
 
-    /** Ends the link. Closes the connection when [farewell] has left, or after [FAREWELL_NANOS]. */
+    /** Ends the link. Closes the connection after [farewell] was sent, at the latest after [FAREWELL_NANOS]. */
     private fun gone(reason: String, farewell: List<Outgoing> = emptyList()) {
         lock.withLock {
             if (end != null) return
@@ -279,20 +275,19 @@ internal class RosLink private constructor(
         if (farewell.isNotEmpty()) clock.schedule(FAREWELL_NANOS) { bridge?.close() }
     }
 
-    /** Cancels all goals that are under way, and closes the link. */
     override fun close() = gone("it was closed", if (isOpen) commands.cancellations().onEach(::send) else emptyList())
 
     companion object {
-        /** The log of all robots. It has the package's name, of which Jason shows the last part, `ros`. */
+        /** The log of all robots. Jason shows only the last part of its name, `ros`. */
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.packageName)
         private const val CHECKING_MS = 3_000L
         private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
         /**
-         * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against their types, as far as the bridge
-         * knows the types. [log] takes messages to the user, on several threads.
+         * Opens a link over the connection that [connect] makes. Checks the fields of [mapping] against the types that the bridge
+         * describes. Several threads call [log] with messages for the user.
          *
-         * @throws PortException if there is no bridge, or a field does not exist
+         * @throws PortException if no bridge answers, or if a field does not exist
          */
         fun over(
             port: String,

@@ -52,7 +52,7 @@ class EncryptedRosLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "wss"
 }
 
-/** Opens `replay:bag.mcap`: a bag of ROS 2 in place of a robot, with the robot's mapping. */
+/** Opens `replay:bag.mcap`: plays a ROS 2 bag in place of a robot, with the robot's mapping. */
 class BagLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "replay"
 

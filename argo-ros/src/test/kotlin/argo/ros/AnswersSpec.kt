@@ -22,7 +22,6 @@ import java.net.URI
 
 private const val PORT = "ros://robot:9090#answers"
 
-/** Agents on the mapping `answers.ros.yaml`: in the test kit's virtual time, and with a bridge in this program for goals that take time. */
 class AnswersSpec : FunSpec({
     fun agent(plan: String) = agentOf(
         """
@@ -165,7 +164,7 @@ class AnswersSpec : FunSpec({
                             bridge.publish("/count", """{"data": 1}""")
                             ("done" in mas.beliefs()) shouldBe true
                         }
-                        bridge.publish("/count", """{"data": 2}""") // behind it, a cancellation would have come
+                        bridge.publish("/count", """{"data": 2}""") // by the time of this percept, a cancellation would have arrived
                         mas.awaitBelief("count(2)")
                         bridge.heard("cancel_action_goal").size shouldBe cancelled
                     }

@@ -21,7 +21,6 @@ import kotlin.io.path.writeText
 
 private const val BAG = "../argo-recording/src/test/resources/bags/zstd.mcap"
 
-/** `replay:bag.mcap`: a bag of ROS 2 in place of a robot. */
 class BagPortSpec : FunSpec({
     fun open(port: String) = checkNotNull(BoardLinkProvider.of(port)).open(port, true, LineClock.system())
 
@@ -56,7 +55,7 @@ class BagPortSpec : FunSpec({
             val command = CommandLine(RosCheckCommand()).setOut(PrintWriter(out, true)).setErr(PrintWriter(err, true))
             return command.execute("$file", "replay:$BAG", "--seconds", "$seconds") to "$out$err"
         }
-        check("percepts:\n  - /said std_msgs/msg/String", seconds = 2).let { (status, told) -> // its end is no mistake
+        check("percepts:\n  - /said std_msgs/msg/String", seconds = 2).let { (status, told) -> // the end of a bag is no error
             status shouldBe 0
             told shouldContain "the bag is over"
         }

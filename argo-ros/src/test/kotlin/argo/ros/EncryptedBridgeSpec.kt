@@ -23,7 +23,7 @@ import javax.net.ssl.TrustManagerFactory
 private val PASSWORD = "secret".toCharArray()
 private const val LIMIT_MS = 20_000
 
-/** A TLS context of this computer, which signs for itself and trusts only itself; its key is made in [folder]. */
+/** Makes a TLS context with a self-signed certificate that it trusts. Puts the key into [folder]. */
 private fun contextOfLocalhost(folder: File): SSLContext {
     val file = folder.resolve("store.p12")
     val keytool = Path.of(System.getProperty("java.home"), "bin", "keytool")
@@ -40,7 +40,6 @@ private fun contextOfLocalhost(folder: File): SSLContext {
     return SSLContext.getInstance("TLS").apply { init(own.keyManagers, trusted.trustManagers, null) }
 }
 
-/** A robot behind `wss://`: the thread that reads the bytes also decrypts them, and handles the messages. */
 @Tags("Thorough")
 class EncryptedBridgeSpec : FunSpec({
     val mapping = mappingOf(

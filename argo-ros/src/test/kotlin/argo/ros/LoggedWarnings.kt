@@ -6,7 +6,6 @@ import java.util.logging.Level
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** The warnings about robots in the log `argo.ros` from now on, or the lines from [level] on. */
 internal class LoggedWarnings(level: Level = Level.WARNING) : AutoCloseable {
     private val logger = Logger.getLogger("argo.ros")
     val messages = CopyOnWriteArrayList<String>()

@@ -11,7 +11,6 @@ import java.nio.file.Files
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** Jason in this process, with one agent, called bob, that has these options. */
 internal class Mas(program: String, vararg options: Pair<String, String>) : AutoCloseable {
     private val directory = createTempDirectory("argo-ros-mas")
     private val mas = RunLocalMAS()

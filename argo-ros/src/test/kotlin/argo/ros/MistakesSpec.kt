@@ -23,7 +23,7 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
-/** The topics of the robot, each with its type, and a message. */
+/** The robot's topics, each with its type and a message. */
 private val TOPICS = mapOf(
     "/sonar" to ("sensor_msgs/Range" to """{"header": {"frame_id": "front"}, "min_range": 0.1, "max_range": 4, "range": 0.5}"""),
     "/said" to ("std_msgs/String" to """{"data": "ready"}"""),
@@ -36,7 +36,7 @@ private val TOPICS = mapOf(
         ),
 )
 
-/** The topics to which nodes of the robot subscribe, its services and its actions, each with its type. */
+/** The topics to which the robot's nodes subscribe, its services and its actions, each with its type. */
 private val TAKEN = mapOf("/say" to "std_msgs/String", "/cmd_vel" to "geometry_msgs/Twist", "/dock/goal" to "my_msgs/DockActionGoal")
 private val SERVICES = mapOf("/lamp" to "std_srvs/SetBool")
 
@@ -64,7 +64,6 @@ class MistakesSpec : FunSpec({
         serve("/lamp") { true to JsonObject(mapOf("success" to JsonPrimitive(true), "message" to JsonPrimitive(""))) }
     }
 
-    /** Has an agent's link use [line] of a mapping, and returns all that its user is told. */
     suspend fun told(line: String): List<String> = TestBridge().use { bridge ->
         bridge.beTheRobot()
         val (section, rule) = line.split(": ", limit = 2)

@@ -6,7 +6,6 @@ import argo.ros.mapping.Mapping
 import javino.LineClock
 import java.net.URI
 
-/** Opens a link to the bridge at [address]. */
 internal fun RosLink.Companion.open(
     port: String,
     address: URI,

@@ -25,7 +25,7 @@ private val PROGRAM = """
     +dist(f, D) : D < 40 <- argo.act(stop); argo.act(dock); +docked.
 """.trimIndent()
 
-/** Agents in the test kit's virtual time; their robot's topics pass the real mapping `robot.ros.yaml`. */
+/** Agents in virtual time, with the mapping `robot.ros.yaml`. */
 class PlayedRobotSpec : FunSpec({
     test("messages of topics become percepts, and commands become messages, by the mapping") {
         agentOf(PROGRAM) { board(PORT).playsItsMapping() }.use { robot ->

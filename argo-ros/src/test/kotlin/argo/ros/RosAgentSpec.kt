@@ -30,7 +30,7 @@ class RosAgentSpec : FunSpec({
                 }
                 eventually(LIMIT) { bridge.sent("/dock/goal").size shouldBe 1 }
                 val id = bridge.sent("/dock/goal").single().part("goal_id")?.text("id")
-                bridge.publish("/sonar/front", """{"range": 0.5}""") // percepts do not wait for the action under way
+                bridge.publish("/sonar/front", """{"range": 0.5}""") // percepts arrive while the action is still running
                 mas.awaitBelief("dist(f,50)")
                 ("docked" in mas.beliefs()) shouldBe false
                 bridge.publish("/dock/result", """{"status": {"goal_id": {"id": "$id"}, "status": 3, "text": ""}}""")
@@ -110,5 +110,4 @@ class RosAgentSpec : FunSpec({
     }
 })
 
-/** The threads of ports. */
 private fun threads() = Thread.getAllStackTraces().keys.count { it.name.startsWith("argo-bob") }

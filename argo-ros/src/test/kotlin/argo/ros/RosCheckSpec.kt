@@ -28,7 +28,6 @@ commands:
   - horn -> service /horn std_srvs/Trigger
 """
 
-/** The tool `ros check`. */
 class RosCheckSpec : FunSpec({
     val directory = tempdir().toPath()
 
@@ -82,7 +81,7 @@ class RosCheckSpec : FunSpec({
                 err shouldContain "2:17: a/A has no field y; it has x"
             }
         }
-        Socket().use { silent -> // nobody else can listen at its port
+        Socket().use { silent -> // occupies the port
             silent.bind(null)
             check(MAPPING, "127.0.0.1:${silent.localPort}").let { (status, _, err) ->
                 status shouldBe 1

@@ -30,7 +30,7 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
-/** The types of a robot, as `rosapi` of ROS 1 describes them, each with its fields. */
+/** The types of a robot and their fields, as `rosapi` of ROS 1 describes them. */
 private val TYPES = mapOf(
     "std_msgs/String" to "data string", "std_msgs/Bool" to "data bool", "std_msgs/UInt8" to "data uint8", "std_msgs/Int64" to "data int64",
     "std_msgs/Float32" to "data float32", "std_msgs/Empty" to "",
@@ -55,7 +55,6 @@ private fun definition(type: String): String {
         "constnames": ["MANUAL", "AUTO"], "constvalues": ["1", "2"]}"""
 }
 
-/** Describes [type] and all types in it, the outermost first. */
 private fun details(type: String): String {
     val all = generateSequence(listOf(type)) { before ->
         before.flatMap { TYPES.getValue(it).split(Regex("[ ,\\[]")) }.filter { it in TYPES }.ifEmpty { null }
@@ -63,7 +62,6 @@ private fun details(type: String): String {
     return all.joinToString(",", """{"typedefs": [""", "]}", transform = ::definition)
 }
 
-/** Has `rosapi` describe all types of [TYPES]. */
 internal fun TestBridge.describeTypes() {
     val service: Service = { arguments ->
         val type = arguments.text("type").orEmpty()
@@ -303,7 +301,7 @@ class RosChecksSpec : FunSpec({
             link.outcomeOf("say(a)") shouldBe "done"
             link.awaitWarning("no node subscribes to /say, so that \"say\" does nothing")
             type = "std_msgs/Bool"
-            link.outcomeOf("say(b)") shouldBe "done" // within five seconds nothing is asked
+            link.outcomeOf("say(b)") shouldBe "done" // no second question within five seconds
             ahead.addAndGet(2 * SilentTopics.LIMIT_NANOS)
             link.outcomeOf("say(c)") shouldBe "done"
             link.awaitWarning(
@@ -323,7 +321,7 @@ class RosChecksSpec : FunSpec({
                 it shouldContain ActionFailedException::class.simpleName!!
                 it shouldContain "rosapi shows no action server /dock"
             }
-            eventually(LIMIT) { // unless it has not left
+            eventually(LIMIT) { // an unsent goal needs no cancellation
                 val topics = bridge.heard("publish").map { it.text("topic") }
                 topics.count { it == "/dock/cancel" } shouldBe topics.count { it == "/dock/goal" }
             }

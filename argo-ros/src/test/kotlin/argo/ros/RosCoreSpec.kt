@@ -37,15 +37,15 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.minutes
 
-private const val PYTHON = "/usr/bin/python3" // Debian's, which has rospy
+private const val PYTHON = "/usr/bin/python3" // Debian's Python, which has rospy
 private const val ROSCORE = "/usr/bin/roscore"
 private const val NEEDED = "import rospy, rosservice, actionlib, tornado, sensor_msgs, std_srvs"
 
-/** The sources of `rosbridge_suite`, branch `ros1`, if somebody has put them there; no registry of packages has them. */
+/** The sources of `rosbridge_suite`, branch `ros1`, if this folder exists. No package registry has them. */
 private val SUITE: Path? = Path.of("build/rosbridge_suite").takeIf(Files::isDirectory)
 
 /**
- * A ROS 1 graph on this computer: a roscore, the robot of `src/test/ros/robot.py` and a bridge, that of [SUITE] with its rosapi or else
+ * Runs a ROS 1 graph on this computer: a roscore, the robot of `src/test/ros/robot.py` and a bridge. The bridge is that of [SUITE] or else
  * `src/test/ros/bridge.py`.
  */
 private class RosGraph : AutoCloseable {
@@ -73,7 +73,7 @@ private class RosGraph : AutoCloseable {
 
     private fun beginApi(suite: Path) = begin("rosapi", PYTHON, "$suite/rosapi/scripts/rosapi_node")
 
-    /** Writes the description of the package [name], without which rosbridge does not load messages; Debian's for Python have none. */
+    /** Writes the description of the package [name]. Rosbridge needs it to load messages, and Debian's Python packages lack it. */
     private fun describe(name: String) {
         val maintainer = "<maintainer email=\"a@example.org\">a</maintainer>"
         val rest = "<version>0.0.0</version><description>$name</description>$maintainer<license>a</license>"
@@ -85,7 +85,7 @@ private class RosGraph : AutoCloseable {
         begin("core", PYTHON, ROSCORE, "-p", "$master")
         awaitPort(master)
         if (SUITE == null || "rosapi" !in processes) return
-        end("rosapi") // which does not register with another roscore by itself
+        end("rosapi") // rosapi does not register with a new roscore
         beginApi(SUITE)
     }
 
@@ -93,7 +93,6 @@ private class RosGraph : AutoCloseable {
         processes[name] = builder(*command).redirectOutput(logs.resolve("$name.log").toFile()).redirectErrorStream(true).start()
     }
 
-    /** Runs a script of `src/test/ros`, and returns the last line that it prints. */
     fun run(script: String, vararg arguments: String): String {
         val process = builder(PYTHON, "src/test/ros/$script", *arguments).redirectErrorStream(true).start()
         val lines = process.inputStream.bufferedReader().readLines()
@@ -109,7 +108,6 @@ private class RosGraph : AutoCloseable {
         )
     }
 
-    /** Ends the process [name]. */
     fun end(name: String) {
         val process = processes.remove(name) ?: return
         val all = process.descendants().toList() + process.toHandle()
@@ -120,7 +118,7 @@ private class RosGraph : AutoCloseable {
 
     private suspend fun awaitPort(number: Int) = eventually(LIMIT) { Socket("127.0.0.1", number).close() }
 
-    /** Runs [block]. If it fails, prints [told] and the output of the processes, so that the failure's first line says what failed. */
+    /** Runs [block]. If it fails, prints [told] and the output of the processes. */
     suspend fun <T> showingLogs(told: Iterable<String> = emptyList(), block: suspend () -> T): T = try {
         block()
     } catch (failed: Throwable) {
@@ -145,7 +143,6 @@ private class RosGraph : AutoCloseable {
     }
 }
 
-/** A board that counts its answers, and notes its actions. */
 private class Blinker : Sketch {
     private var count = 0
     val done = ConcurrentLinkedQueue<String>()
@@ -185,7 +182,6 @@ private class Uno(bridge: Int, private val sketch: Blinker) : AutoCloseable {
     }
 }
 
-/** Robots and boards on a real ROS 1 graph. */
 @Tags("Thorough")
 class RosCoreSpec : FunSpec({
     val missing: String? by lazy {

@@ -18,7 +18,7 @@ class RosDocumentSpec : FunSpec({
     }
     test("the page names every type that has a short form") {
         UsualType.names.forAll { name ->
-            val isShort = name.startsWith("std_msgs/") && name != "std_msgs/Bool" || "Stamped" in name // in a list behind the first
+            val isShort = name.startsWith("std_msgs/") && name != "std_msgs/Bool" || "Stamped" in name // a list omits the package
             page shouldContain "`${if (isShort) name.substringAfter('/') else name}`"
         }
     }

@@ -48,7 +48,6 @@ import kotlin.time.Duration.Companion.seconds
 internal val LIMIT = 60.seconds
 private const val LIMIT_MS = 60_000
 
-/** The topic to which the link subscribes for its actions. */
 private const val RESULT = "/dock/result"
 
 private val ROBOT = """
@@ -81,7 +80,6 @@ class RosLinkSpec : FunSpec({
     suspend fun awaitSubscriptions(vararg topics: Pair<String, Pair<Long, Int>>) =
         eventually(LIMIT) { bridge.subscribed() - RESULT shouldBe topics.toMap() }
 
-    /** Listens until a message [is wanted][isWanted], and returns it. */
     fun BoardLink.awaitMessage(isWanted: (BoardMessage) -> Boolean): BoardMessage {
         while (true) listen(LIMIT_MS)?.takeIf(isWanted)?.let { return it }
     }
@@ -312,7 +310,7 @@ class RosLinkSpec : FunSpec({
         test("where nothing listens, or what listens is no bridge, is reported as such") {
             val clock = LineClock.system()
             val mapping = mappingOf(ROBOT, "robot.ros.yaml")
-            Socket().use { silent -> // nobody else can listen at its port
+            Socket().use { silent -> // occupies the port
                 silent.bind(null)
                 val place = "127.0.0.1:${silent.localPort}"
                 shouldThrow<NoSuchPortException> { RosLink.open("ros://$place", URI("ws://$place/"), mapping, true, clock) }

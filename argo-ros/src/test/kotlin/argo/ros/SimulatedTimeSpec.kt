@@ -19,14 +19,13 @@ import java.util.concurrent.TimeUnit
 
 private const val STEP_MS = 10L
 
-/** The age of a message when it comes. */
 private const val DELAY_MS = 30L
 
-/** A robot in a simulator, in virtual time: each fifth step it shows its time on `/clock`, and a message that was true [DELAY_MS] ago. */
+/** A robot in a simulator, in virtual time. Every fifth step it publishes `/clock` and a message that was true [DELAY_MS] ago. */
 private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
     private var nowMs = 1_000L
     private var simMs = 5_000.0
-    private val history = ArrayDeque<Double>() // its time in the last steps
+    private val history = ArrayDeque<Double>() // the simulated times of the last steps
     private val subscribed = HashSet<String>()
     private lateinit var listener: BridgeListener
     val link = RosLink.over("ros://sim", mappingOf("percepts:\n  - /d sensor_msgs/Range -> d(range)", "sim"), true, clock()) {
@@ -36,8 +35,8 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
     private fun clock() = LineClock { TimeUnit.MILLISECONDS.toNanos(nowMs) }
 
     /**
-     * Runs for [seconds], with the simulator at [speed], and returns the ages of its messages in ms.
-     * @param isShown whether `/clock` is published
+     * Runs for [seconds] at [speed], and returns the ages of the messages in ms.
+     * @param isShown true if `/clock` is published
      */
     fun run(seconds: Int, speed: Double, isShown: Boolean = true): List<Long> {
         val ages = ArrayList<Long>()
@@ -55,7 +54,6 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
         return ages
     }
 
-    /** Turns its time back by [ms]. */
     fun jumpBack(ms: Long) {
         simMs -= ms
         history.clear()
@@ -97,7 +95,7 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
 class SimulatedTimeSpec : FunSpec({
     fun robot(hasClock: Boolean = true) = SimulatedRobot(hasClock).apply {
         link.wants(Wish(true, 50, null))
-        run(1, 1.0) // until it is known that its time is simulated
+        run(1, 1.0) // the link first has to detect the simulated time
     }
 
     fun List<Long>.shouldBeRight() = forEachIndexed { index, age -> withClue("message $index of $size") { age shouldBeInRange (0L..80L) } }
@@ -116,7 +114,8 @@ class SimulatedTimeSpec : FunSpec({
             val robot = robot()
             robot.run(5, 0.5).shouldBeRight()
             val standing = robot.run(30, 0.0, isShown)
-            withClue("/clock is shown: $isShown") { standing.drop(25).shouldBeRight() } // a second, for a silent topic
+            // without /clock, the link detects the stop after one second
+            withClue("/clock is shown: $isShown") { standing.drop(25).shouldBeRight() }
             robot.run(5, 0.5).shouldBeRight()
         }
     }

@@ -27,29 +27,28 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 import javax.net.ssl.SSLContext
 
-/** A service: returns for its arguments whether it worked, and its values or the reason why not. */
+/** Maps the arguments of a service to its success, and to its values or the reason of the failure. */
 internal typealias Service = (JsonObject) -> Pair<Boolean, JsonElement>
 
 /**
- * A bridge in this program that treats subscriptions as rosbridge 0.11.17 does: with a queue it keeps the newest messages and sends one
- * each throttle interval; without one it drops messages that come too early.
+ * A bridge in this program. The bridge throttles subscriptions like rosbridge 0.11.17: a queue keeps the newest messages and sends one each
+ * interval. Without a queue, it drops early messages.
  *
- * @param number its TCP port; 0: a free one
- * @param token the token that clients must show; null: none
- * @param tls what encrypts the bridge's connections; null: nothing
+ * @param number its TCP port, or 0 for a free one
+ * @param token the token that clients must send, or null for none
+ * @param tls the encryption of the connections, or null for none
  */
 internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContext? = null) : AutoCloseable {
     private val started = CountDownLatch(1)
     private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "test-bridge-timer").apply { isDaemon = true } }
-    private val subscriptions = ConcurrentHashMap<String, Handler>() // by topic: the tests have one client
+    private val subscriptions = ConcurrentHashMap<String, Handler>() // by topic, since the tests have one client
 
-    /** All operations that have come, the oldest first. */
     val heard = ConcurrentLinkedQueue<JsonObject>()
     private val services = ConcurrentHashMap<String, Service>()
 
-    private val held = ConcurrentLinkedQueue<() -> Unit>() // answers to pings
+    private val held = ConcurrentLinkedQueue<() -> Unit>() // answers to pings that are held back
 
-    /** True if it shows that it is there; when it becomes true, pings that came before are answered. */
+    /** True if it answers pings. When it becomes true, earlier pings are answered. */
     @Volatile
     var answersPings = true
         set(value) {
@@ -57,11 +56,9 @@ internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContex
             if (value) generateSequence(held::poll).forEach { it() }
         }
 
-    /** Called with each message that is published to it. */
     @Volatile
     var onPublish: (topic: String, message: JsonObject) -> Unit = { _, _ -> }
 
-    /** Called with each goal of a ROS 2 action. */
     @Volatile
     var onGoal: (goal: JsonObject) -> Unit = { }
 
@@ -102,13 +99,10 @@ internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContex
 
     val number: Int get() = server.port
 
-    /** The name of the port for an agent. */
     val port: String get() = "ros://127.0.0.1:$number"
 
-    /** The number of clients. */
     val clients: Int get() = server.connections.size
 
-    /** Lets [answer] answer for [service]. */
     fun serve(service: String, answer: Service) {
         services[service] = answer
     }
@@ -137,21 +131,17 @@ internal class TestBridge(number: Int = 0, token: String? = null, tls: SSLContex
         connection.send(operation("service_response", "id" to id, "service" to service, "values" to values, "result" to worked))
     }
 
-    /** Publishes [message] on [topic] as a node would. */
     fun publish(topic: String, message: String) {
         subscriptions[topic]?.handle("""{"op":"publish","topic":"$topic","msg":$message}""")
     }
 
-    /** Sends any [text] to all clients. */
     fun say(text: String) = server.connections.forEach { it.send(text) }
 
-    /** Sends [bytes] to all clients. */
     fun sayBytes(bytes: ByteArray) = server.connections.forEach { it.send(bytes) }
 
-    /** Returns the subscription to each topic: its throttle interval in ms and the length of its queue. */
+    /** Returns the throttle interval in ms and the queue length of each subscribed topic. */
     fun subscribed(): Map<String, Pair<Long, Int>> = subscriptions.mapValues { (_, it) -> it.throttleMs to it.length }
 
-    /** Returns the operations [op] that have come. */
     fun heard(op: String): List<JsonObject> = heard.filter { it.text("op") == op }
 
     override fun close() {

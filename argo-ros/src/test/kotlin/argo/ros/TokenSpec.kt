@@ -21,7 +21,6 @@ import kotlin.io.path.writeText
 
 private const val TOKEN = "quite-a-long-secret"
 
-/** An agent's link to a bridge that wants a token. */
 class TokenSpec : FunSpec({
     test("a bridge that wants a token gets it, and none is a fault") {
         TestBridge(token = TOKEN).use { bridge ->
@@ -46,7 +45,7 @@ class TokenSpec : FunSpec({
     }
 
     test("a login is as the package rosauth checks it") {
-        // echo -n abcdefghijklmnopargorobotr1000user1060 | sha512sum
+        // computed with: echo -n abcdefghijklmnopargorobotr1000user1060 | sha512sum
         val mac = operationIn(login("abcdefghijklmnop", "robot", 1000, "r"))!!["mac"].toString().trim('"')
         mac.take(16) shouldBe "a3df02b08841e511"
     }

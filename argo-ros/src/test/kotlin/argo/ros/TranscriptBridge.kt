@@ -14,11 +14,11 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: an operation that the client sent there gets the
- * bridge's messages that it caused, after the same time. Operations that the transcript does not have get no answer.
+ * Replays the bridge's side of a transcript, which `src/test/ros/record.py` writes. An operation of the client gets the recorded answers,
+ * after the recorded times. Operations that are not in the transcript get no answer.
  */
 internal class TranscriptBridge(transcript: String) : AutoCloseable {
-    /** An operation of the client, and the bridge's messages that it caused, each so many ms later. */
+    /** An operation of the client, and the bridge's answers with their delays in ms. */
     private class Exchange(val operation: JsonObject, val atMs: Long) {
         val answers = ArrayList<Pair<Long, String>>()
         var isOver = false
@@ -62,17 +62,15 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
         return exchanges
     }
 
-    /** Returns true if the bridge sent [answer] because of [operation]. */
     private fun isCause(operation: JsonObject, answer: JsonObject): Boolean {
         if (answer.text("op") == "service_response") return operation.text("id") == answer.text("id")
         val goal = answer.part("msg")?.part("status")?.part("goal_id")?.text("id") ?: return isSubscriptionTo(operation, answer)
-        return idOf(operation) == goal // the goal, or the last that was sent about it, as its cancellation
+        return idOf(operation) == goal // the goal itself, or its cancellation, which has the goal's id
     }
 
     private fun isSubscriptionTo(operation: JsonObject, answer: JsonObject) =
         operation.text("op") == "subscribe" && operation.text("topic") == answer.text("topic")
 
-    /** Returns the id by which answers name [operation]. */
     private fun idOf(operation: JsonObject): String? {
         val message = operation.part("msg") ?: return operation.text("id")
         return message.part("goal_id")?.text("id") ?: message.text("id")
@@ -90,7 +88,7 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
         }
     }
 
-    /** Returns [operation] without the ids, which differ each time. */
+    /** Returns [operation] without its ids, which differ in each run. */
     private fun withoutIds(operation: JsonObject): JsonObject =
         JsonObject(operation - "id" + listOfNotNull(operation.part("msg")?.let { "msg" to JsonObject(it - "goal_id" - "id") }))
 

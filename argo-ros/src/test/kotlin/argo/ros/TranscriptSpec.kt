@@ -13,14 +13,13 @@ import javino.LineClock
 import java.net.URI
 import java.util.concurrent.atomic.AtomicLong
 
-/** The outcomes of the commands of `transcripts/session.ros.yaml`, with the robot of `src/test/ros/robot.py`. */
 private val SESSION_OUTCOMES = setOf(
     "outcome(move(0.5,0.25),done)", "outcome(horn,done)", "outcome(lamp(true),done)", "outcome(lamp(false),act_failed)",
     "outcome(none,act_failed)", "outcome(drive(2),done)", "outcome(drive(-2),act_failed)", "outcome(drive(0),act_refused)",
     "outcome(drive(100),act_unconfirmed)",
 )
 
-/** ARGO's client with the messages of rosbridge 0.11.17 on a ROS 1 graph, with the robot of `src/test/ros/robot.py`. */
+/** Tests ARGO's client against recorded messages of rosbridge 0.11.17, with the robot of `src/test/ros/robot.py`. */
 class TranscriptSpec : FunSpec({
     test("an agent perceives and commands a robot behind rosbridge") {
         TranscriptBridge("session").use { bridge ->
@@ -37,7 +36,7 @@ class TranscriptSpec : FunSpec({
             Mas(program).use { mas ->
                 mas.awaitBelief("tried")
                 mas.beliefs().filter { it.startsWith("outcome(") }.toSet() shouldBe SESSION_OUTCOMES
-                mas.awaitBelief("scan(0.75)") // of [null, null, 1.5, 0.75], as rosbridge writes an infinite range and a NaN
+                mas.awaitBelief("scan(0.75)") // rosbridge writes an infinite range and a NaN as null: [null, null, 1.5, 0.75]
                 mas.awaitBelief("measured")
                 withClue(mas.beliefs()) { mas.beliefs().any { it.startsWith("count(") }.shouldBeTrue() }
             }

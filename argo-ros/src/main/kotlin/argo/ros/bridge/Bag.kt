@@ -15,10 +15,9 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 
 /**
- * A bag of ROS 2 in the MCAP format: its messages, and its types in the form in which `rosapi` describes types. Only one thread at a time
- * may read messages.
+ * A ROS 2 bag in the MCAP format. Describes its types as `rosapi` does. Only one thread at a time may read messages.
  *
- * @throws McapException if [path] is no MCAP file, or has nothing of ROS 2
+ * @throws McapException if [path] is no MCAP file, or has no ROS 2 topics
  * @throws java.io.IOException if [path] cannot be read
  */
 internal class Bag(path: Path) : AutoCloseable {
@@ -38,25 +37,25 @@ internal class Bag(path: Path) : AutoCloseable {
     /** One sentence for each unreadable part of the file. */
     val problems: List<String> get() = reader.problems
 
-    /** Returns the messages in the order of the file, each with its time since the earliest one, in ns. */
+    /** Returns the messages in file order. The number is the time since the earliest message, in ns. */
     fun messages(): Iterator<Pair<Long, McapMessage>> {
         val begin = reader.times?.first ?: 0
         return reader.messages().map { it.logTimeNs - begin to it }.iterator()
     }
 
     /**
-     * Returns [message] as a bridge would send it.
-     * @throws McapException if it cannot be read
+     * Returns [message] in the JSON form of a bridge.
+     *
+     * @throws McapException if the message cannot be read
      */
     fun read(message: McapMessage): JsonObject = readers.getValue(message.channel.id).getOrThrow().read(message.data)
 
     private fun readerOf(channel: McapChannel) = RosMessages.of(channel)
         ?: throw McapException("${channel.topic} is in the encoding ${channel.messageEncoding}, and messages of ROS 2 are in cdr")
 
-    /** Returns the type of [topic]; empty: the bag has no such topic. */
+    /** Returns the type of [topic], or an empty text if the bag has no such topic. */
     fun typeOf(topic: String): String = channels[topic]?.schema?.name.orEmpty()
 
-    /** Answers a question to `rosapi`; null: a bag does not know the answer. */
     fun answer(service: String, arguments: JsonObject): JsonObject? = when (service) {
         "/rosapi/topic_type" -> JsonObject(mapOf("type" to JsonPrimitive(typeOf(arguments.text("topic").orEmpty()))))
         "/rosapi/publishers" -> JsonObject(mapOf("publishers" to words(listOfNotNull(channels[arguments.text("topic")]?.let { "bag" }))))

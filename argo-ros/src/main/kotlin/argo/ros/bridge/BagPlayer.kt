@@ -10,12 +10,12 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Plays [bag] by [clock], from the first subscription to one of the bag's topics on. If a message has an earlier time than the message
- * before it in the file, both come together. Safe for use by several threads.
+ * Plays [bag] by [clock]. Starts at the first subscription to a topic of the bag. A message with an earlier time than its predecessor in
+ * the file is published together with the predecessor. Safe for use by several threads.
  *
- * @param worker reads the file and calls the other functions, one task at a time
- * @param isWanted returns true if the messages of a topic are to be published
- * @param tell takes one sentence for each problem of the bag, and one for its end, which is no trouble
+ * @param worker runs all work on the bag, one task at a time
+ * @param isWanted returns true if messages of the topic shall be published
+ * @param tell takes one sentence for each problem of the bag, and one for its end
  */
 internal class BagPlayer(
     private val bag: Bag,
@@ -26,14 +26,14 @@ internal class BagPlayer(
     private val tell: (sentence: String, isTrouble: Boolean) -> Unit,
 ) : AutoCloseable {
     private val hasBegun = AtomicBoolean()
-    private val messages = bag.messages() // this and the next field belong to the worker
+    private val messages = bag.messages() // only the worker uses this field and the next one
     private var next: Pair<Long, McapMessage>? = null
     private var startNanos = 0L
 
     @Volatile
     private var isClosed = false
 
-    /** Begins to play if the bag has [topic]. */
+    /** Starts to play if the bag has [topic]. */
     fun subscribed(topic: String) {
         if (bag.typeOf(topic).isEmpty() || hasBegun.getAndSet(true)) return
         startNanos = clock.nanos() + LEAD_NANOS
@@ -45,7 +45,6 @@ internal class BagPlayer(
         play()
     }
 
-    /** Publishes the messages that are due, and runs again when the next message is due. */
     private fun play() {
         try {
             while (!isClosed) {
@@ -75,7 +74,7 @@ internal class BagPlayer(
     }
 
     private companion object {
-        /** The time from the first subscription to the first message. Meanwhile the other subscriptions can come. */
+        /** The delay of the first message after the first subscription. Other subscriptions can arrive in this time. */
         val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
     }
 }

@@ -25,29 +25,27 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Receives a bridge's messages on a thread of the HTTP client. Each function returns soon. */
+/** Receives a bridge's messages on a thread of the HTTP client. No function may block. */
 internal interface BridgeListener {
     fun text(message: String)
 
-    /** The bridge has given a sign of life. */
+    /** The bridge is alive, as any message or pong shows. */
     fun isAlive()
 
-    /** The bridge has answered a [Bridge.ping], so the bridge has read everything that was sent before the ping. */
+    /** The bridge has answered a [Bridge.ping]. The bridge has therefore read everything that was sent before the ping. */
     fun answered() = isAlive()
 
-    /** A message was dropped unread. [what] describes the message. */
+    /** A message was dropped unread; [what] describes it. */
     fun dropped(what: String)
 
-    /** Takes a [sentence] about the bag that replaces the bridge. [isTrouble] tells whether a part of the bag is left out. */
+    /** Takes a [sentence] for the user about the bag that is played. [isTrouble] is true if a part of the bag is left out. */
     fun told(sentence: String, isTrouble: Boolean) = Unit
 
-    /** The connection is gone, for [reason]. May be called more than once. */
+    /** The connection has ended, for [reason]. May be called more than once. */
     fun gone(reason: String)
 }
 
-/**
- * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
- */
+/** Reads a bridge's operations in their order. [warn] takes unreadable messages and the bridge's complaints, each text once. */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
     /** Handles [operation]; returns false if this class does not know the operation. */
     protected abstract fun hear(operation: JsonObject): Boolean
@@ -69,9 +67,9 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
     }
 }
 
-/** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
+/** A connection to a bridge. No function blocks. Safe for use by several threads. */
 internal interface Bridge : AutoCloseable {
-    /** Sends [message]. The caller must hold no lock, since its thread may run the callbacks of messages that have left. */
+    /** Sends [message]. The caller must hold no lock, since callbacks of sent messages may run on its thread. */
     fun send(message: Outgoing) {
         queue(message)
         flush()
@@ -80,16 +78,15 @@ internal interface Bridge : AutoCloseable {
     /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
 
-    /** Sends the queued messages. The caller must hold no lock, see [send]. */
+    /** Sends the queued messages. The caller must hold no lock; [send] tells why. */
     fun flush()
 
-    /** Asks the bridge for a sign of life. */
     fun ping()
 }
 
 /**
- * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others. [client] is the client of [socket]; this
- * reference keeps the client alive.
+ * A WebSocket to a bridge. Urgent messages overtake others; otherwise messages keep their order. The reference to [client] keeps the client
+ * of [socket] alive.
  */
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
@@ -102,11 +99,11 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         try {
             socket.sendPing(ByteBuffer.allocate(0))
         } catch (_: IllegalStateException) {
-            // a ping is under way already
+            // an earlier ping has no answer yet
         }
     }
 
-    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read within this time are lost. */
+    /** Closes the connection within [CLOSING_MS]. Messages that the bridge does not read within this time are lost. */
     override fun close() {
         outbox.close()
         socket.sendClose(WebSocket.NORMAL_CLOSURE, "")
@@ -115,7 +112,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
 
     private class Receiver(private val listener: BridgeListener, private val hasLoggedIn: Boolean) : WebSocket.Listener {
         private val text = StringBuilder()
-        private var isSilent = true // whether the bridge has sent nothing yet
+        private var isSilent = true // true until the bridge's first message
         private var isTooLong = false
 
         override fun onText(socket: WebSocket, data: CharSequence, last: Boolean): CompletionStage<*>? {
@@ -162,19 +159,19 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         private const val CONNECTING_S = 3L
         private const val CLOSING_MS = 1_000L
 
-        /** The longest message that is read, in characters. Longer messages are dropped. */
+        /** The length limit of a message, in characters. Longer messages are dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 
-        /** The number of characters of a dropped message that are logged. The logged part contains the topic's name. */
+        /** The number of characters of a dropped message in the log. The topic's name is among them. */
         private const val SHOWN_LENGTH = 60
 
-        /** The client of each address, since each client has a thread of its own. A client ends when no socket uses it any more. */
+        /** One client for each address, since each client has its own thread. A client ends when no socket uses it. */
         private val clients = HashMap<String, WeakReference<HttpClient>>()
 
         /**
-         * Returns the client for the bridge at [address]. The client's thread, which reads the bytes, also handles the messages. A thread
-         * of an executor would have to be woken for each message.
+         * Returns the client for the bridge at [address]. The client's thread reads the bytes and also handles the messages. An executor
+         * would have to wake a thread for each message.
          */
         @Synchronized
         private fun clientFor(address: URI): HttpClient = clients[address.authority]?.get()

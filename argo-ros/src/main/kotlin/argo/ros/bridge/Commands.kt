@@ -36,12 +36,12 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Sends an agent's commands and finds their outcomes. Each command is sent once at most. If the connection ends before the answer, the
- * robot may have carried the command out, so the command is not sent again. Safe for use by several threads.
+ * Sends an agent's commands and finds their outcomes. Each command is sent once at most. If the connection ends before an answer, the robot
+ * may already have carried out the command. Safe for use by several threads.
  *
- * @param graph the robot's graph, with the nodes that take the messages
+ * @param graph finds missing nodes for the commands
  * @param warn takes reports of parts that were left out of a command
- * @param progress takes the newest feedback of a goal, with the rule that makes a percept of it; null: the goal has ended
+ * @param progress takes a rule and the newest feedback of its goal, or null when the goal has ended
  */
 internal class Commands(
     private val port: String,
@@ -56,11 +56,11 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
-    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule, the goal that gave feedback last
-    private val session = "argo-${UUID.randomUUID()}" // the beginning of each command's id, which no other client uses
+    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule, the goal with the newest feedback
+    private val session = "argo-${UUID.randomUUID()}" // the unique prefix of this client's command ids
     private val number = AtomicLong()
 
-    /** Returns the first messages to the bridge. They announce topics of commands in time for subscribers, and subscribe to results. */
+    /** Returns the first messages to the bridge. The messages advertise the topics of commands, and subscribe to results. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -81,7 +81,7 @@ internal class Commands(
         return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
     }
 
-    /** Returns false if the command [text] is only published. Returns true for an unknown command, which is refused when it is sent. */
+    /** Returns false if the command [text] is only published. An unknown command gives true, and is refused when it is sent. */
     fun answers(text: String): Boolean = ruleOf(GroundTerm.ofOrNull(text) as? GroundTerm.Structure)?.kind != Kind.TOPIC
 
     fun send(text: String, options: SendOptions): SentCommand {
@@ -117,7 +117,7 @@ internal class Commands(
         forgetFeedback(entry)
     }
 
-    /** Forgets the feedback of a goal that has ended. Feedback of the agent's next goal, which may have begun already, stays. */
+    /** Forgets the feedback of an ended goal. Keeps the feedback of a later goal of the same rule. */
     private fun forgetFeedback(entry: Pending) {
         if (progressing.remove(entry.rule, entry)) entry.rule.feedback?.let { progress(it, null) }
     }
@@ -129,7 +129,7 @@ internal class Commands(
 
     private fun limit(id: String, entry: Pending, limitMs: Int) {
         val ms = if (limitMs > 0) minOf(limitMs, entry.rule.withinMs) else entry.rule.withinMs
-        clock.schedule(TimeUnit.MILLISECONDS.toNanos(ms.toLong())) { timeIsOver(id, ms) } // does not keep the entry of an ended command
+        clock.schedule(TimeUnit.MILLISECONDS.toNanos(ms.toLong())) { timeIsOver(id, ms) } // keeps no reference to the ended entry
     }
 
     private fun timeIsOver(id: String, ms: Int) {
@@ -137,7 +137,7 @@ internal class Commands(
         abandon(id, entry, "has not left port $port within $ms ms", "the robot has not said it within $ms ms")
     }
 
-    /** Ends the command of [entry], whose intention the agent has dropped. */
+    /** Ends the command of [entry] after the agent has dropped its intention. */
     private fun giveUp(id: String, entry: Pending) =
         abandon(id, entry, "had not left port $port when its intention was dropped", "its intention was dropped, and its goal is cancelled")
 
@@ -150,7 +150,7 @@ internal class Commands(
         }
     }
 
-    /** Fails [entry], whose goal has reached no server. A server that appears later must not begin the goal. */
+    /** Fails [entry], since no server has received its goal. Cancels the goal in case a server appears later. */
     private fun lost(id: String, entry: Pending, reason: String) {
         if (entry.outcome.isDone) return
         val hasLeft = !entry.message.withdraw()
@@ -175,7 +175,6 @@ internal class Commands(
     private fun unconfirmed(entry: Pending, reason: String): PortException =
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
-    /** Returns the cancellations of all goals that are under way. */
     fun cancellations(): List<Outgoing> = pending.entries.filter { (_, entry) -> entry.message.hasBegun }
         .mapNotNull { (id, entry) -> cancellation(entry.rule, id)?.let { Outgoing(it, isUrgent = true) } }
 
@@ -185,7 +184,6 @@ internal class Commands(
         )
     }
 
-    /** Handles a message of the bridge; returns false if the message is not about a command. */
     fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
         "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
         "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null
@@ -213,7 +211,6 @@ internal class Commands(
         if (entry.outcome.isDone) forgetFeedback(entry) // the goal has ended meanwhile
     }
 
-    /** Ends the command of [entry], which [response] has answered. */
     private fun succeed(entry: Pending, response: JsonObject?) {
         val message = response ?: JsonObject(emptyMap())
         val scope = types.scopeOfAnswer(entry.rule, message)
@@ -238,7 +235,7 @@ internal class Commands(
         }
     }
 
-    /** Returns the command to which a published result or feedback of ROS 1 belongs, and the message. */
+    /** Returns the command for a ROS 1 result or feedback, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null

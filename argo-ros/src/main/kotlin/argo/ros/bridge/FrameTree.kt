@@ -7,16 +7,15 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * The frames of a robot, each with its newest transform into the frame above it, as nodes publish them. Not safe for use by several threads
- * at once.
+ * The frames of a robot. Each has its newest transform into its parent frame. Not safe for use by several threads at once.
  *
- * @param wanted the frames whose poses will be asked for
- * @param warn takes a sentence if two wanted frames have been unconnected for [LIMIT_NANOS]
+ * @param wanted the frames whose poses rules use
+ * @param warn takes a sentence if two wanted frames are still unconnected after [LIMIT_NANOS]
  */
 internal class FrameTree(private val wanted: List<Frames>, private val warn: (String) -> Unit) {
     private class Frame(val parent: String, val transform: Transform, val trueNanos: Long, val isStatic: Boolean)
 
-    /** The pose of one frame in another. [json] is its message. The pose was true at [trueNanos], by the platform's clock. */
+    /** The pose of one frame in another, as a message. [trueNanos] is the platform time at which the pose was true. */
     class Pose(val json: JsonObject, val trueNanos: Long)
 
     private val frames = HashMap<String, Frame>()
@@ -24,9 +23,9 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     private val told = HashSet<Frames>()
 
     /**
-     * Takes the transforms in [message], which came at [nowNanos].
+     * Stores the transforms in [message], which arrived at [nowNanos].
      *
-     * @param trueAt returns the time at which a message with this time stamp of the robot was true, by the platform's clock
+     * @param trueAt returns the platform time for a time stamp of the robot
      */
     fun add(message: JsonObject, isStatic: Boolean, nowNanos: Long, trueAt: (stampNanos: Long?) -> Long) {
         if (wanted.isEmpty()) return
@@ -45,7 +44,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         }
     }
 
-    /** Returns the pose of the child frame of [of] in the parent frame of [of]; null: the two frames are not connected. */
+    /** Returns the pose of the child frame in the parent frame of [of], or null if the frames are not connected. */
     fun pose(of: Frames, nowNanos: Long): Pose? {
         val (up, down) = wayFrom(of.child) to wayFrom(of.parent)
         if (topOf(of.child, up) != topOf(of.parent, down)) {
@@ -62,13 +61,10 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         if (told.add(of)) warn("frames ${of.parent} and ${of.child} are not connected; ${known()}")
     }
 
-    /** Warns of wanted frames that are not connected, even before [LIMIT_NANOS] are over. */
+    /** Warns at once of wanted frames that are not connected. */
     fun explain() = wanted.filter { pose(it, begunNanos ?: 0) == null }.forEach(::tellApart)
 
-    /**
-     * Returns the frames from [name] upwards, without the topmost frame. If nodes have published transforms in a circle, stops after one
-     * round.
-     */
+    /** Returns the frames from [name] up to the root, without the root. Stops at a frame that it has already visited. */
     private fun wayFrom(name: String): List<Frame> {
         val seen = HashSet<String>()
         return generateSequence(frames[name]) { frame -> frames[frame.parent]?.takeIf { seen.add(frame.parent) } }.toList()
@@ -92,9 +88,8 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     }
 }
 
-/** A rotation by the unit quaternion [q], with x, y, z and w, followed by a move by [move]. */
+/** A rotation by the unit quaternion [q] (x, y, z, w), and then a move by [move]. */
 internal class Transform private constructor(private val move: List<Double>, private val q: List<Double>) {
-    /** Returns the transform that first does [inner] and then this one. */
     operator fun times(inner: Transform) = Transform(sum(move, rotated(inner.move)), product(q, inner.q))
 
     fun inverse(): Transform {
@@ -106,7 +101,7 @@ internal class Transform private constructor(private val move: List<Double>, pri
 
     private fun rotated(v: List<Double>) = product(product(q, v + 0.0), opposite()).take(W)
 
-    /** The transform as a message: x, y, z, the yaw in rad, and the rotation as a quaternion. */
+    /** The transform as a message with x, y, z, the yaw in rad, and the rotation as a quaternion. */
     val json: JsonObject
         get() {
             val rotation = JsonObject(AXES.zip(q.map { JsonPrimitive(it) }).toMap())
@@ -121,7 +116,7 @@ internal class Transform private constructor(private val move: List<Double>, pri
         private const val W = 3
         val NONE = Transform(listOf(0.0, 0.0, 0.0), listOf(0.0, 0.0, 0.0, 1.0))
 
-        /** Reads a `geometry_msgs/Transform`; null: [message] is none. */
+        /** Reads a `geometry_msgs/Transform`, or returns null if [message] is no transform. */
         fun of(message: JsonObject): Transform? {
             val move = numbers(message.part("translation"), AXES.take(W)) ?: return null
             val rotation = numbers(message.part("rotation"), AXES) ?: return null

@@ -4,8 +4,8 @@ import java.security.MessageDigest
 import java.util.UUID
 
 /**
- * Returns the operation by which a client logs in for [LASTING_S] s, from [nowSeconds] since 1970 on. As `rosauth` defines it, the bridge
- * checks a SHA-512 over [secret] and the operation's other fields, and lets the clocks differ by up to 5 s.
+ * Returns the operation that logs in a client for [LASTING_S] s from [nowSeconds] on. [nowSeconds] counts from 1970. The bridge checks a
+ * SHA-512 hash of [secret] and the other fields, as `rosauth` defines it. The clocks may differ by up to 5 s.
  */
 internal fun login(secret: String, destination: String, nowSeconds: Long, random: String = "${UUID.randomUUID()}"): String {
     val end = nowSeconds + LASTING_S

@@ -23,7 +23,6 @@ internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = 
     }
 }.toString()
 
-/** Reads [text] as an operation; null: it is no operation. */
 internal fun operationIn(text: String): JsonObject? = try {
     Json.parseToJsonElement(text) as? JsonObject
 } catch (_: IllegalArgumentException) { // malformed JSON
@@ -32,17 +31,15 @@ internal fun operationIn(text: String): JsonObject? = try {
     null
 }
 
-/** Returns the text of field [name]; null: there is no text. */
 internal fun JsonObject.text(name: String): String? = (this[name] as? JsonPrimitive)?.takeIf { it !is JsonNull }?.contentOrNull
 
 internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObject
 
-/** Returns the value of field [name]; null if it is neither `true` nor `false`. */
 internal fun JsonObject.flag(name: String): Boolean? = text(name)?.toBooleanStrictOrNull()
 
 /**
- * Reads a time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns. Returns null for anything else, and for zero, which stands
- * for an unknown time.
+ * Reads a ROS 1 time (`secs`, `nsecs`) or a ROS 2 time (`sec`, `nanosec`), in ns. Returns null for other objects and for zero. In ROS, zero
+ * means that the time is unknown.
  */
 internal fun JsonObject.rosNanos(): Long? {
     val seconds = (text("secs") ?: text("sec"))?.toLongOrNull() ?: return null
@@ -53,5 +50,5 @@ internal fun JsonObject.rosNanos(): Long? {
 
 private const val NANOS_PER_SECOND = 1_000_000_000L
 
-/** The largest time in s that fits into 64 bits as ns. */
+/** Up to this limit, a time in s fits into a [Long] as ns. */
 private const val MAX_SECONDS = 9_000_000_000L

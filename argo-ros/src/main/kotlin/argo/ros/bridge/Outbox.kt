@@ -7,28 +7,31 @@ import kotlin.concurrent.withLock
 /**
  * A message for a bridge.
  *
- * @property isUrgent whether the message overtakes waiting messages that are not urgent
- * @property functor the functor of the message's command; null: the message is no command
- * @property replaces whether the message replaces waiting messages of its [functor]
+ * @property isUrgent true if the message overtakes waiting messages that are not urgent
+ * @property functor the functor of the message's command, or null if the message is no command
+ * @property replaces true if the message replaces waiting messages with its [functor]
  */
 internal class Outgoing(val text: String, val isUrgent: Boolean = false, val functor: String? = null, val replaces: Boolean = false) {
-    /** Completes when the system has taken the message; completes exceptionally if the message never leaves. Any thread may complete it. */
+    /**
+     * Completes when the operating system has taken the message. Completes exceptionally if the message is never sent. Any thread may
+     * complete it.
+     */
     val left = CompletableFuture<Unit>()
 
     @Volatile
     var hasBegun = false
         private set
 
-    private var isWithdrawn = false // guarded by this message, like hasBegun
+    private var isWithdrawn = false // guarded by this object, like hasBegun
 
-    /** Marks the message as going out; returns false if it has been withdrawn. */
+    /** Marks the message as being sent. Returns false if it was withdrawn. */
     fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }
 
-    /** Withdraws the message; returns false if it has begun to go out. */
+    /** Withdraws the message. Returns false if sending has begun. */
     fun withdraw(): Boolean = synchronized(this) { (!hasBegun).also { isWithdrawn = it } }
 }
 
-/** A later command has replaced the waiting command. */
+/** A newer command has replaced this waiting command. */
 internal class Replaced : Exception()
 
 /** The connection was closed before the message went out. */
@@ -41,7 +44,6 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
     private var isBusy = false
     private var isClosed = false
 
-    /** Adds [message] to the waiting messages. A call of [flush] sends it when its turn comes. */
     fun add(message: Outgoing) {
         val replaced = lock.withLock {
             if (isClosed) null
@@ -58,7 +60,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         waiting.removeAll(replaced.toSet())
     }
 
-    /** Hands the next message to the connection if the connection is free. */
+    /** Starts to send the next message if the connection is free. */
     fun flush() {
         val message = lock.withLock {
             if (isBusy || isClosed) return
@@ -79,7 +81,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         }
     }
 
-    /** Fails all waiting messages. After this call no message goes out. */
+    /** Fails all waiting messages. No message is sent after this call. */
     override fun close() {
         val left = lock.withLock {
             isClosed = true

@@ -1,20 +1,20 @@
 package argo.ros.bridge
 
-/** A percept that a message of [topic] gave when it came. The message was true at [trueNanos], by the platform's clock. */
+/** A percept from one message of [topic]. The message was true at the platform time [trueNanos]. */
 internal class Percept(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
 
 /**
- * Percepts of which each is an event, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost, and [warn] takes their number
- * at each power of two. Not safe for use by several threads at once.
+ * A queue of percepts that are events, the oldest first. If more than [MAX_EVENTS] wait, the oldest are lost. [warn] takes the number of
+ * losses at each power of two. Not safe for use by several threads at once.
  */
 internal class PerceptEvents(private val warn: (String) -> Unit) {
     private val waiting = ArrayDeque<Percept>()
-    private var last: String? = null // the event in the message before; null: that message had no event
+    private var last: String? = null // the event in the previous message, or null without one
     private var lost = 0L
 
     val isEmpty: Boolean get() = waiting.isEmpty()
 
-    /** True if the next message has another event than the message before. */
+    /** True if [next] would return another value than in its last call. */
     val isNew: Boolean get() = waiting.isNotEmpty() || last != null
 
     fun add(percept: Percept) {
@@ -24,7 +24,9 @@ internal class PerceptEvents(private val warn: (String) -> Unit) {
         if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
     }
 
-    /** Takes the next event; null: there is none. Between two equal events one call returns null, so that both events count. */
+    /**
+     * Takes the next event, or returns null if there is none. Returns null once between two equal events, so that the agent perceives both.
+     */
     fun next(): Percept? {
         val next = waiting.firstOrNull()?.takeIf { it.text != last }
         last = next?.text
@@ -38,7 +40,6 @@ internal class PerceptEvents(private val warn: (String) -> Unit) {
     fun clear() = waiting.clear()
 
     private companion object {
-        /** The most events that wait for the sensing thread. */
         const val MAX_EVENTS = 1_000
     }
 }

@@ -9,12 +9,12 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.Executor
 
 /**
- * A bridge within this program, for tests and for bags. The bridge answers at once, on the thread of the request. Services and goals
- * succeed, with the response that the test has set. `rosapi` knows the topics and types of the bag.
+ * A bridge within this program, for tests and bags. The bridge answers at once, on the caller's thread. Services and goals succeed with the
+ * response that the test has set. The bridge answers `rosapi` questions from the bag.
  *
- * @param bag the bag whose messages are published; null: [publish] publishes messages
+ * @param bag the bag to play, or null if the caller publishes messages with [publish]
  * @param worker reads the bag, one task at a time
- * @param heard takes each published message, request and goal, with the name of its topic, service or action
+ * @param heard takes the name of the topic, service or action, and the message, request or goal
  */
 internal class PlayedBridge(
     private val listener: BridgeListener,
@@ -24,7 +24,7 @@ internal class PlayedBridge(
     private val heard: (name: String, message: String) -> Unit,
 ) : Bridge {
     private val player = bag?.let { BagPlayer(it, clock, worker, ::isSubscribed, ::publish, listener::told) }
-    private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action
+    private val responses = ConcurrentHashMap<String, JsonObject>() // by service or action name
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
     private val outbox = Outbox { text ->
         answer(checkNotNull(operationIn(text)))
@@ -37,14 +37,12 @@ internal class PlayedBridge(
 
     override fun ping() = listener.isAlive()
 
-    /** From now on [service], or an action of this name, answers with [response]. */
     fun respond(service: String, response: JsonObject) {
         responses[service] = response
     }
 
     private fun responseOf(name: String) = responses[name] ?: JsonObject(emptyMap())
 
-    /** Publishes [message], in JSON, on [topic] as a node would. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
@@ -85,7 +83,7 @@ internal class PlayedBridge(
         val isOfApi = service.startsWith("/rosapi/")
         val response = if (isOfApi) bag?.answer(service, operation.part("args") ?: return) else responseOf(service)
         if (!isOfApi) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = response ?: JsonPrimitive("") // the refusal has no reason, since no test reads one
+        val values = response ?: JsonPrimitive("") // a refusal without a reason
         listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to (response != null)))
     }
 

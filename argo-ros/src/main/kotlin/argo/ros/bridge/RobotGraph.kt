@@ -9,19 +9,16 @@ import javino.LineClock
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
-/**
- * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands for which a node is missing. Safe for use by several
- * threads.
- */
+/** Asks `rosapi` for the other nodes of the robot. Warns of topics and commands that no node serves. Safe for use by several threads. */
 internal class RobotGraph(
     private val mapping: Mapping,
     private val api: RosApi,
     private val clock: LineClock,
     private val warn: (String) -> Unit,
 ) {
-    private val askedNanos = ConcurrentHashMap<String, Long>() // time of the last question, by the commands' topic
+    private val askedNanos = ConcurrentHashMap<String, Long>() // the time of the last question, by command topic
 
-    /** Compares the mapping's types with those of existing topics, and looks for the mapping's actions. */
+    /** Compares the mapping's types with the robot's topics, and looks for the mapping's actions. */
     fun check() {
         val topics = (mapping.percepts - mapping.poses.toSet()).map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
@@ -31,9 +28,8 @@ internal class RobotGraph(
         }
     }
 
-    /** Warns if no node offers the service of [rule], or if the service has another type. */
     private fun lookForService(rule: CommandRule) {
-        if ("/_" in rule.target) return // hidden, so that rosapi does not show it
+        if ("/_" in rule.target) return // rosapi does not show hidden services
         api.ask("/rosapi/service_type", mapOf("service" to rule.target)).thenAccept { answer ->
             val type = answer.text("type") ?: return@thenAccept
             if (type.isEmpty()) warn("rosapi shows no service ${rule.target} yet")
@@ -45,14 +41,12 @@ internal class RobotGraph(
 
     private fun bareType(type: String) = type.replace("/srv/", "/")
 
-    /** Returns the topic on which [rule] publishes, and its type; null: [rule] does not publish. */
     private fun topicOf(rule: CommandRule): Pair<String, String>? = when {
         rule.kind == Kind.TOPIC -> rule.target to rule.type
         rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> "${rule.target}/goal" to "${rule.type}Goal"
         else -> null
     }
 
-    /** Warns if the robot's [topic] has another type than [type]. The bridge then passes no messages in either direction. */
     private fun compareType(topic: String, type: String) = typeOf(topic).thenApply { known ->
         if (known.isNotEmpty() && rosType(known) != rosType(type)) {
             warn("$topic is of type $known on the robot, and the mapping says $type: its messages do not pass the bridge")
@@ -63,7 +57,7 @@ internal class RobotGraph(
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 
-    /** Looks for the reason why [topic] has long been silent, and warns if no message can come. */
+    /** Warns if [topic] is silent because no message can come. */
     fun explainSilence(topic: String, type: String) {
         compareType(topic, type)
         api.ask("/rosapi/publishers", mapOf("topic" to topic)).whenComplete { answer, trouble ->
@@ -73,8 +67,9 @@ internal class RobotGraph(
     }
 
     /**
-     * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     * [lost] is called with the reason if the command's goal reaches no server. In ROS 2 that is uncertain, so this function only warns.
+     * Call this function before sending a command of [rule]. Warns if no node takes the command. A topic is checked at most once in
+     * [AGAIN_NANOS]. If the command's goal reaches no server, [lost] is called with the reason. In ROS 2 this is uncertain, so this
+     * function only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -87,8 +82,8 @@ internal class RobotGraph(
     }
 
     /**
-     * Looks for subscribers of the rule's topic. The bridge itself publishes on the topic. So if `rosapi` still does not show the topic,
-     * the topic is hidden and nothing is known about it.
+     * Looks for subscribers of the rule's topic. The bridge itself publishes on the topic. If `rosapi` does not show the topic even so, the
+     * topic is hidden.
      */
     private fun lookForSubscribers(rule: CommandRule) {
         compareType(rule.target, rule.type).thenCompose { type ->
@@ -102,7 +97,7 @@ internal class RobotGraph(
         return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
     }
 
-    /** Does [work] if `rosapi` shows an action's topics but not its server. An action's client creates these topics, too. */
+    /** Does [work] if `rosapi` shows an action's topics but not its server. An action client also creates the topics. */
     private fun ifMissing(rule: CommandRule, work: () -> Unit) {
         val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
         isShown.thenCompose { type ->

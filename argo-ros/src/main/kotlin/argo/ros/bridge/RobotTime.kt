@@ -4,12 +4,12 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Finds when a robot's messages were true, by the platform's clock. The calculation uses the offset of the robot's clock or, if the robot's
- * time is simulated, `/clock`. Safe for use by several threads.
+ * Computes the platform time at which a robot's message was true. Uses the offset of the robot's clock. If the robot's time is simulated,
+ * uses `/clock`. Safe for use by several threads.
  *
- * @param clockIsThere called with the type of the topic [CLOCK] if the topic exists; the caller then passes the topic's messages to [show]
+ * @param clockIsThere called with the type of the topic [CLOCK] if it exists. The caller then passes its messages to [show].
  * @param warn takes a warning if the time stamps of a topic are useless
- * @param tell takes a sentence that tells which clock the ages of messages depend on
+ * @param tell takes a sentence that names the clock on which the ages of messages depend
  */
 internal class RobotTime(
     private val clock: LineClock,
@@ -21,7 +21,6 @@ internal class RobotTime(
     private val offset = ClockOffset()
     private val simulated = SimulatedClock()
 
-    /** True if the robot takes its time from the topic [CLOCK]. */
     @Volatile
     private var isSimulated = false
 
@@ -29,7 +28,7 @@ internal class RobotTime(
     private var isClockKnown = false
 
     @Volatile
-    private var dueNanos: Long? = null // time of the next question; null: an answer is pending
+    private var dueNanos: Long? = null // the time of the next question, or null while an answer is pending
     private var toldNanos: Long? = null // only the bridge's thread uses this field and the next one
     private var answers = 0
 
@@ -68,24 +67,24 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** Decides whether the robot takes its time from [CLOCK]. A robot's own clock and a simulator's clock are decades apart. */
+    /** Decides whether the robot takes its time from [CLOCK]. A real clock and a simulated clock differ by decades. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true
         tell("the robot's time is simulated; ages go by its time stamps and $CLOCK, at the speed of the simulator")
     }
 
-    /** Notes that the topic [CLOCK] showed [simNanos] at [nowNanos], a time of the platform's clock. */
+    /** Stores that the topic [CLOCK] showed [simNanos] at the platform time [nowNanos]. */
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
-        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot uses a simulator's clock
+        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot uses the simulator's clock
     }
 
     /**
-     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The result is never later than
-     * [nowNanos], when the message came. The result is [nowNanos] if there is no stamp, or if the stamp is of another clock: far ahead, or
-     * older than [MAX_AGE_NANOS].
+     * Returns the platform time at which a message with the robot's time stamp [stampNanos] was true. The result is never later than
+     * [nowNanos], the time of arrival. Without a plausible stamp, the result is [nowNanos]. A stamp far ahead, or older than
+     * [MAX_AGE_NANOS], is not plausible.
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos
@@ -113,10 +112,9 @@ internal class RobotTime(
     companion object {
         const val CLOCK = "/clock"
 
-        /** The greatest credible age of a message, in ns. */
         val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
 
-        /** A stamp may be this far ahead, since clocks are read with an error. */
+        /** The tolerance for stamps that lie ahead, since clock readings have errors. */
         private val AHEAD_NANOS = TimeUnit.SECONDS.toNanos(1)
         private const val FIRST_ANSWERS = 4
         private val FIRST_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(50)

@@ -27,11 +27,11 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * The types of the robot's topics, services and actions, as `rosapi` describes them. Checks a mapping against these types. Safe for use by
- * several threads.
+ * The types of the robot's topics, services and actions, from `rosapi`. Checks a mapping against these types. Safe for use by several
+ * threads.
  *
- * @param warn takes the reasons for which a topic or a command can have no effect
- * @param tell takes the reason if the mapping cannot be checked
+ * @param warn takes reasons why a topic or a command has no effect
+ * @param tell takes the reason why the mapping cannot be checked
  */
 internal class RobotTypes(
     private val mapping: Mapping,
@@ -48,12 +48,12 @@ internal class RobotTypes(
 
     fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
 
-    /** Returns the type of the messages, requests or goals of [rule]; null: the type is not known. */
+    /** Returns the type of the messages, requests or goals of [rule], or null if it is not known. */
     fun of(rule: CommandRule): MessageType? = known[questionFor(rule)]
 
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    /** Returns the fields of [message], which is the answer to a command of [rule]. */
+    /** Returns the fields of [message], the answer to a command of [rule]. */
     fun scopeOfAnswer(rule: CommandRule, message: JsonObject): Scope {
         val type = known[questionForAnswer(rule)] ?: return MessageScope(message)
         return MessageScope(message, type.bytesAmong(rule.answer?.fields().orEmpty()), type.constants)
@@ -79,10 +79,10 @@ internal class RobotTypes(
     private val answering = mapping.commands.filter { it.answer != null }
 
     /**
-     * Asks for the types, and checks the mapping's fields and constant values. A type whose description comes late is checked when the
-     * description comes.
+     * Asks for the types, and checks the fields and constants of the mapping. If a description arrives late, its type is checked at that
+     * time.
      *
-     * @param limitMs the time that the bridge has to describe its types, in ms
+     * @param limitMs the wait for the descriptions, in ms
      * @throws MappingException if a field does not exist, or cannot have its value
      */
     fun check(limitMs: Long) {
@@ -111,7 +111,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the bridge lists the searched paths
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind \n the bridge lists its search paths
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -151,7 +151,6 @@ internal class RobotTypes(
         return (inRead + inCommands + inLiterals).distinct()
     }
 
-    /** Reports fields that commands leave empty although robots need them. */
     private fun tellEmpty() = mapping.commands.forEach { rule ->
         val type = of(rule) ?: return@forEach
         val empty = type.emptyAmong(rule.fields.map { it.steps }) + listOfNotNull(emptyRequest(rule, type))
@@ -183,10 +182,10 @@ internal class RobotTypes(
             "its type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
-        /** The reason in the warning about a type for which `rosapi` of ROS 2 answers without a description. */
+        /** The reason for a type that `rosapi` of ROS 2 does not describe. */
         const val UNKNOWN = "it is not described"
 
-        /** Parts of a bridge's messages about a type that the bridge lacks. */
+        /** Parts of the messages of bridges that lack a type. */
         val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
     }
 }

@@ -10,11 +10,11 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so only
- * questions find the mistakes. Safe for use by several threads.
+ * Calls services of the node `rosapi`, which usually runs beside a bridge. A ROS 1 bridge reports no errors to its clients. Questions to
+ * `rosapi` find them. Safe for use by several threads.
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
-    /** An answer, and the time of its arrival by the platform's clock. */
+    /** An answer, and the platform time of its arrival. */
     class Answer(val values: JsonObject, val receivedNanos: Long) {
         fun text(name: String): String? = values.text(name)
 
@@ -24,13 +24,13 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val calls = ConcurrentHashMap<String, CompletableFuture<Answer>>()
     private val number = AtomicLong()
 
-    /** True if `rosapi` has answered a question. */
     @Volatile
     var isThere = false
         private set
 
     /**
-     * Calls [service]. The result completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
+     * Calls [service]. The result completes on the bridge's thread. If the call fails or exceeds [LIMIT_NANOS], it completes with a
+     * [NotKnown].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
@@ -43,10 +43,10 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return call
     }
 
-    /** Handles a message that came from the bridge at [nowNanos]; returns false if the message answers no call of this object. */
+    /** Handles a message that arrived at [nowNanos]. Returns false if it answers no call of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
-        val call = calls[id] ?: return true // the call's time is over, or the link is closed
+        val call = calls[id] ?: return true // the call has timed out, or the link is closed
         val values = operation.part("values")
         if (values == null || operation.flag("result") == false) call.completeExceptionally(NotKnown(operation.text("values").orEmpty()))
         else call.complete(Answer(values, nowNanos)).also { isThere = true }
@@ -55,9 +55,9 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
 
     override fun close() = calls.values.forEach { it.completeExceptionally(NotKnown("")) }
 
-    /** @param reason the bridge's reason; empty: it gives none */
+    /** @param reason the bridge's reason, or an empty text without one */
     class NotKnown(reason: String) : Exception(reason) {
-        /** True if the called service does not exist, as when `rosapi` does not run. */
+        /** True if the called service does not exist, for example because `rosapi` does not run. */
         val isMissing: Boolean get() = MISSING in message.orEmpty()
     }
 

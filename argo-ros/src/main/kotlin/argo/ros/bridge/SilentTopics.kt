@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit
 internal class SilentTopics {
     private val dueNanos = HashMap<String, Long>()
 
-    /** Forgets all topics except [topics]. The silence of a new topic begins at [nowNanos]. */
+    /** Forgets all topics except [topics]. The silence of a new topic starts at [nowNanos]. */
     fun keepOnly(topics: Collection<String>, nowNanos: Long) {
         dueNanos.keys.retainAll(topics.toSet())
         topics.forEach { dueNanos.putIfAbsent(it, nowNanos + LIMIT_NANOS) }
@@ -17,14 +17,13 @@ internal class SilentTopics {
     }
 
     /**
-     * Returns the topics that have been silent for [LIMIT_NANOS] at [nowNanos]. A topic that stays silent is returned again after the same
-     * time, since its type may have changed.
+     * Returns the topics that have been silent for [LIMIT_NANOS]. If a topic stays silent, it is returned again after another
+     * [LIMIT_NANOS].
      */
     fun next(nowNanos: Long): List<String> = dueNanos.filterValues { nowNanos - it > 0 }.keys.toList()
         .onEach { dueNanos[it] = nowNanos + LIMIT_NANOS }
 
     companion object {
-        /** The silence, in ns, after which a topic is looked into. */
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(5)
     }
 }

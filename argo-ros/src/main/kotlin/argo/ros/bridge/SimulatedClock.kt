@@ -3,7 +3,7 @@ package argo.ros.bridge
 import java.util.concurrent.TimeUnit
 
 /**
- * The time of a simulator, as its topic `/clock` shows it. A simulator's time may run at any speed, stop, and jump. Safe for use by several
+ * A simulator's time, according to its topic `/clock`. A simulator's time may run at any speed, stop, and jump. Safe for use by several
  * threads.
  */
 internal class SimulatedClock {
@@ -11,13 +11,12 @@ internal class SimulatedClock {
 
     private val samples = ArrayDeque<Sample>()
 
-    /** The newest time that the simulator has shown, and the platform's time of that moment; null: it has shown none. */
+    /** The newest simulated time and the platform time of its message; null before the first message. */
     @get:Synchronized
     val newest: Pair<Long, Long>? get() = samples.lastOrNull()?.let { it.simNanos to it.atNanos }
 
     /**
-     * Notes that the simulator showed [simNanos] at [atNanos], a time of the platform's clock. If the simulator's time goes back, forgets
-     * all earlier samples.
+     * Stores that the simulator showed [simNanos] at the platform time [atNanos]. If simulated time goes back, forgets all earlier samples.
      */
     @Synchronized
     fun show(simNanos: Long, atNanos: Long) {
@@ -29,15 +28,15 @@ internal class SimulatedClock {
     }
 
     /**
-     * Adds a sample for the time at which the simulator's clock went on. A silence has ended with [simNanos] at [atNanos]: the clock is
-     * assumed to have stopped at first, and then to have run at its previous speed.
+     * Adds a sample for the time at which a stopped clock continued. The clock is assumed to have stopped first, and then to have run at
+     * its previous speed until [simNanos] at [atNanos].
      */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
         if (began > last.atNanos) samples.addLast(Sample(last.simNanos, began))
     }
 
-    /** Returns the speed since sample number [from], in simulated seconds per second; 1 while the speed is not known. */
+    /** Returns the speed since sample number [from], in simulated seconds per second. Returns 1 if the speed is not known. */
     private fun speed(from: Int): Double {
         val (first, last) = samples[maxOf(0, from)] to samples.last()
         val took = last.atNanos - first.atNanos
@@ -45,9 +44,9 @@ internal class SimulatedClock {
     }
 
     /**
-     * Returns the last time of the platform's clock at which the simulator showed [stampNanos], as known at [nowNanos]. The result is in
-     * the future if the simulator has yet to show that time; but it is [nowNanos] if the simulator's clock has stopped. Null: the simulator
-     * has shown no time.
+     * Returns the last platform time at which the simulator showed [stampNanos], as known at [nowNanos]. If the simulator has not shown
+     * that time yet, the result is in the future. If the simulator's clock has stopped, the result is then [nowNanos]. Returns null if the
+     * simulator has shown no time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {
@@ -67,15 +66,15 @@ internal class SimulatedClock {
     private fun at(sample: Sample, stampNanos: Long, speed: Double) = sample.atNanos + ((stampNanos - sample.simNanos) / speed).toLong()
 
     companion object {
-        /** The interval between requested samples, in ms. A change of speed is noticed after at most this time. */
+        /** The interval between requested samples, in ms. A change of speed is noticed after this time at the latest. */
         const val INTERVAL_MS = 50
 
         private const val KEPT = 1_200
 
-        /** The number of samples from which the present speed follows. */
+        /** The number of newest samples that determine the current speed. */
         private const val SHORT = 10
 
-        /** A clock that has been silent for this time has stopped. */
+        /** A clock counts as stopped after this silence. */
         private val STANDS_NANOS = TimeUnit.SECONDS.toNanos(1)
     }
 }

@@ -13,13 +13,15 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
- * [queueLength] messages for that time. If [queueLength] is 1, no message waits behind another one, and messages that are left out cost no
- * time here. If it is 0 and there is no least time, the bridge sends each message at once.
+ * A subscription to a topic. [throttleMs] is the shortest time between two messages from the bridge, in ms. The bridge queues the newest
+ * [queueLength] messages during that time. If [queueLength] is 1, the bridge keeps only the newest message. If [throttleMs] and
+ * [queueLength] are 0, the bridge sends each message at once.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
-/** Returns the subscriptions for this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
+/**
+ * Returns the subscriptions for this wish of the agent, one for each topic. Leaves out topics whose percepts the filter drops completely.
+ */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
     return rules.groupBy { it.topic }.flatMap { (topic, its) ->
@@ -34,7 +36,6 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     }.groupBy { it.topic }.values.map { its -> its.minBy { it.throttleMs } }
 }
 
-/** Returns true if [filter] drops every percept of the form [percept]. */
 internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): Boolean {
     if (filter.critical.any { isFor(it.rule, percept) }) return false
     val rules = filter.rules.filter { isFor(it, percept) }
@@ -44,12 +45,9 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
     }
 }
 
-/**
- * Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: percepts of this
- * form are not held back.
- */
+/** Returns the time in ms for which [filter] holds back every percept with the form of [percept], or null if it holds back none. */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
-    val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // these rules look at each percept
+    val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // these rules inspect each percept
     if (filter.mode != PerceptionFilter.Mode.DROP || others.any { isFor(it, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }
         .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())
@@ -60,9 +58,9 @@ private fun isFor(rule: Rule, percept: Expression.Compound) = rule.predicate == 
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
-/** Returns true if [condition] holds for all percepts of the form [percept], false if it holds for none, null if it holds for some. */
+/** Returns true or false if [condition] is so for all percepts with the form of [percept], and null otherwise. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
-    val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
+    val index = (condition as? Condition.Argument)?.index ?: return false // messages have no annotations
     if (Expression.AllFields in percept.arguments) return null
     if (index >= percept.arguments.size) return false
     if (percept.arguments[index] !is Expression.Constant) return null

@@ -13,17 +13,17 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and the percepts of all these messages. Not safe for use by several threads at once.
+ * The newest message of each topic, and the percepts of these messages. Not safe for use by several threads at once.
  *
- * @param typeOf returns the type of a rule's messages; null: the type is not known
- * @param warn takes the reasons why a message gives no percept of a rule whose conditions may hold, each reason once
+ * @param typeOf returns the type of a rule's messages, or null if it is not known
+ * @param warn takes each reason why a message gives no percept, once
  */
 internal class TopicMessages(
     private val rules: List<PerceptRule>,
     private val typeOf: (PerceptRule) -> MessageType?,
     private val warn: (String) -> Unit,
 ) {
-    /** The least time between two messages from topics that the bridge does not throttle, in ns. */
+    /** The shortest time between two messages from unthrottled topics, in ns. */
     var intervalNanos = 0L
 
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
@@ -35,13 +35,13 @@ internal class TopicMessages(
     private val lasting = HashMap<PerceptRule, Percept>() // the newest percept of each rule with `if … for`
     private val events = PerceptEvents(warn)
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
+    private val bytes = HashMap<PerceptRule, Set<Path>>() // the byte fields of each rule with a known type
     private var isNew = false
-    private var isNewSoon = false // whether there is news that waits for the end of the interval
-    private var takenNanos: Long? = null // null: nothing has been taken yet
-    private var expiryNanos: Long? = null // the time at which the percepts change without a new message
+    private var isNewSoon = false // true if news waits for the end of the interval
+    private var takenNanos: Long? = null // null before the first take
+    private var expiryNanos: Long? = null // the time at which a percept ends without a new message
 
-    /** Adds a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
+    /** Adds a [message] of [topic]. [receivedNanos] and [trueNanos] are the platform times at which the message arrived and was true. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
         val last = Newest(message, trueNanos, receivedNanos)
         newest[topic] = last
@@ -63,7 +63,6 @@ internal class TopicMessages(
         events.keepOnly(kept)
     }
 
-    /** Returns true if there is a message of [topic]. */
     fun hasHeard(topic: String) = topic in newest
 
     fun forget(topic: String) {
@@ -82,7 +81,7 @@ internal class TopicMessages(
     /** Returns true if [take] would return new percepts at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean = isNew || events.isNew || dueNanos()?.let { it - nowNanos <= 0 } == true
 
-    /** Returns the time, by the platform's clock, at which the percepts change without a new message; null: never. */
+    /** Returns the platform time at which the percepts change without a new message, or null for never. */
     fun dueNanos(): Long? {
         val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.firstOrNull()?.receivedNanos else null
         return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }
@@ -104,7 +103,7 @@ internal class TopicMessages(
         return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
     }
 
-    /** Returns the percept of [rule] that holds at [nowNanos]; null: no percept holds, or each percept is an event. */
+    /** Returns the percept of [rule] that holds at [nowNanos]. Returns null without one, or if each percept is an event. */
     private fun heldBy(rule: PerceptRule, nowNanos: Long): Percept? {
         if (rule.isOfEach) return null
         val percept = if (rule.needsEach) lasting[rule] else newest[rule.topic]?.let { message ->
@@ -141,7 +140,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** The most reasons reported for each rule. Reasons contain values of messages, so there could be any number. */
+        /** The greatest number of reasons reported for each rule. Reasons contain values of messages, so their number has no limit. */
         const val MAX_TOLD = 3
     }
 }

@@ -22,7 +22,6 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 
-/** `ros`: the commands for robots that speak ROS. */
 @Command(
     name = "ros",
     description = ["Commands for robots that speak ROS."],
@@ -32,12 +31,11 @@ internal class RosCommand : ToolCommand() {
     override fun call(): Int = spec.refuseWithout("command")
 }
 
-/** Adds `ros` to the tools. */
 class RosToolProvider : ToolProvider {
     override fun command(): Any = RosCommand()
 }
 
-/** `ros check`: checks a mapping, by itself and against a robot. */
+/** `ros check`: checks a mapping, with or without a robot. */
 @Command(
     name = "check",
     description = [
@@ -91,7 +89,6 @@ internal class RosCheckCommand : ToolCommand() {
         }
     }
 
-    /** Takes a line of the link's log; called by several threads. */
     private fun report(level: Level, line: String) {
         if (level.intValue() < Level.WARNING.intValue()) return out.println(line)
         synchronized(found) { found += line }

@@ -7,8 +7,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * The topics and the last goals of a ROS 1 action, in the form of `actionlib`. Safe for use by several threads. [action] is the action's
- * name: `/uno/act`.
+ * The topics and the recent goals of a ROS 1 action, in the format of `actionlib`. Safe for use by several threads. [action] is the
+ * action's name, such as `/uno/act`.
  */
 internal class ActGoals(private val action: String, private val send: (String) -> Unit) {
     private class Goal(val id: String, var state: Int, var text: String)
@@ -33,10 +33,10 @@ internal class ActGoals(private val action: String, private val send: (String) -
         }
         send(operation("subscribe", "topic" to goalTopic, "type" to "argo_msgs/ActActionGoal"))
         send(operation("subscribe", "topic" to cancelTopic, "type" to "actionlib_msgs/GoalID"))
-        synchronized(this) { report() } // clients wait for the first status
+        synchronized(this) { report() } // clients wait for a first status
     }
 
-    /** Notes the goal [id] and returns its name; makes a new name if [id] is empty. Returns null if the goal has come before. */
+    /** Registers the goal [id] and returns its name. Makes a name if [id] is empty. Returns null if the goal is already registered. */
     fun begin(id: String): String? = synchronized(this) {
         val name = id.ifEmpty { "argo-goal-${++number}" }
         if (goals.any { it.id == name }) return null
@@ -47,7 +47,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     }
 
     fun end(id: String, outcome: Outcome) = synchronized(this) {
-        val state = if (outcome.error == null) SUCCEEDED else ABORTED // an active goal is never rejected
+        val state = if (outcome.error == null) SUCCEEDED else ABORTED // actionlib does not allow an active goal to become rejected
         val text = if (outcome.error == null) "" else outcome.inWords
         goals.find { it.id == id }?.let {
             it.state = state
@@ -70,7 +70,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     )
 
     private companion object {
-        /** The number of goals whose states are kept. A repeated goal is recognised if fewer other goals came in between. */
+        /** The number of goals whose states are kept. A repeated goal is recognised only while its state is kept. */
         const val KEPT = 50
 
         // actionlib_msgs/GoalStatus

@@ -8,8 +8,8 @@ import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. Sends a command from the graph as
- * `argo.act` does. [warn] takes reports of percepts that are not published, each text once.
+ * Publishes the boards of an agent in a ROS graph: their actions, and their percepts before the agent's filter. A command from the graph is
+ * sent as by `argo.act`. [warn] takes reports of unpublished percepts, each text once.
  */
 internal class AgentRos(
     private val agent: ObservedAgent,
@@ -21,7 +21,7 @@ internal class AgentRos(
         var publishedNanos: Long? = null
     }
 
-    private val boards = HashMap<String, Board>() // by the port's name and the namespace; guarded by this
+    private val boards = HashMap<String, Board>() // by port name and namespace; guarded by this
 
     override val name = graphName(agent.name)
     override val actions: List<BoardAction>? get() = agent.actions
@@ -30,7 +30,7 @@ internal class AgentRos(
         synchronized(this) {
             val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
             val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics, warn)) }
-            if (board.publishedNanos == message.receivedNanos) return // published already; it comes again for held-back percepts
+            if (board.publishedNanos == message.receivedNanos) return // already published; it returns because of held-back percepts
             board.publishedNanos = message.receivedNanos
             board.publisher.publish(message.texts)
         }

@@ -6,7 +6,7 @@ import argo.observing.ObservedAgent
 import argo.ros.bridge.OnceEach
 import java.util.logging.Logger
 
-/** Puts agents with the option `argo_ros` into a ROS graph. */
+/** Publishes agents with the option `argo_ros` in a ROS graph. */
 class AgentRosProvider : AgentObserverProvider {
     override val option = "argo_ros"
     override val usage = "the address of a bridge, as \"robot:9090\""

@@ -6,17 +6,15 @@ import argo.ros.mapping.MappingException
 import argo.ros.mapping.findCredentials
 import javino.NoSuchPortException
 
-/** A text is no address of a bridge; [message] tells why. */
+/** A text is no address of a bridge; [message] gives the reason. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/** The address of the bridge to a graph, and the credentials for this bridge. */
 internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) {
     companion object {
         private val NUMBER = Regex("[0-9]+")
 
         /**
-         * Reads `HOST:PORT`, also in the form of an agent's port, `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`,
-         * as for an agent's port.
+         * Reads `HOST:PORT` or `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`, as for the port of an agent.
          *
          * @throws RefusedAddress if [text] is no such address, or the token cannot be read
          */

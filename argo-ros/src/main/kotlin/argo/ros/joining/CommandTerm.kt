@@ -11,15 +11,15 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
-/** A request is refused; [message] tells its sender why. */
+/** A request is refused; [message] gives its sender the reason. */
 internal class RefusedRequest(message: String) : Exception(message)
 
 /**
- * Returns the command for the action [name] with the arguments in [request]: the field `arguments` or `data`, or two numbers of a Twist.
- * Without these fields the command has no arguments.
+ * Returns the command for the action [name] with the arguments in [request]. The arguments are in the field `arguments` or `data`, or are
+ * two numbers of a Twist. Without these fields there are no arguments.
  *
- * @param actions the participant's actions; null: they are not known
- * @throws RefusedRequest if the result is no command, or not among [actions]
+ * @param actions the participant's actions, or null if they are not known
+ * @throws RefusedRequest if the result is no command, or no command of [actions]
  */
 internal fun commandOf(name: String, request: JsonObject, actions: List<BoardAction>?): String {
     val arguments = argumentsIn(request).map(::termOf)
@@ -38,7 +38,7 @@ private fun argumentsIn(request: JsonObject): List<JsonElement> {
     return given as? JsonArray ?: listOf(given)
 }
 
-/** Returns [value] as a term. Text that is no term becomes a string. */
+/** Returns [value] as a term. If it is no term, returns it as a string. */
 private fun termOf(value: JsonElement): String = when (value) {
     is JsonArray -> value.joinToString(",", "[", "]", transform = ::termOf)
     is JsonObject -> throw RefusedRequest("an argument is a number, a text, true, false or an array of these, not $value")
@@ -58,9 +58,9 @@ private fun twistIn(message: JsonObject): List<JsonElement>? {
 }
 
 /**
- * Returns the command in the field `command`, or `data`, of [request].
+ * Returns the command in the field `command` or `data` of [request].
  *
- * @throws RefusedRequest if the field contains no command
+ * @throws RefusedRequest if the field has no command
  */
 internal fun writtenCommand(request: JsonObject): String {
     val text = (request.text("command") ?: request.text("data")).orEmpty().trim()

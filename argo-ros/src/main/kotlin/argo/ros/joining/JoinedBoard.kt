@@ -15,13 +15,13 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A board that is in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each
- * command is sent once at most.
+ * A board in a ROS graph, without an agent. The program requests percepts at an interval, and reopens the board after a loss. Each command
+ * is sent once at most.
  *
- * @param intervalMs the time from one request to the next, in ms
- * @param timeoutMs the longest time for an answer, in ms
- * @param listens whether the board sends its percepts unasked
- * @param warn takes reports of percepts that are not published, each text once
+ * @param intervalMs the time between two requests, in ms
+ * @param timeoutMs the longest wait for an answer, in ms
+ * @param listens true if the board sends percepts without requests
+ * @param warn takes reports of unpublished percepts, each text once
  */
 internal class JoinedBoard(
     override val name: String,
@@ -48,7 +48,6 @@ internal class JoinedBoard(
     override val actions: List<BoardAction>?
         get() = (link?.actions ?: known)?.takeIf { it.isNotEmpty() }?.also { known = it }
 
-    /** Begins to ask the board. Call this once. */
     fun start() = thread.start()
 
     private val isClosed get() = closed.count == 0L
@@ -61,7 +60,7 @@ internal class JoinedBoard(
                 return
             } catch (gone: PortException) {
                 off("${gone.message}")
-            } catch (unforeseen: Throwable) { // otherwise the thread that asks the board would end
+            } catch (unforeseen: Throwable) { // an unexpected error must not end this thread
                 off("it failed: $unforeseen")
             }
             try {
@@ -108,8 +107,8 @@ internal class JoinedBoard(
         try {
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
-            // the sensing thread notices that the board has gone
-        } catch (unforeseen: Throwable) { // otherwise the link would stay open without this thread
+            // the sensing thread detects the lost board
+        } catch (unforeseen: Throwable) { // closing the link makes the sensing thread reopen it
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()
         }
@@ -126,7 +125,7 @@ internal class JoinedBoard(
         val opened = link ?: return done(Outcome("no_port", "the board at port $port is not there now"))
         try {
             opened.send(command, options).outcome.whenComplete { _, trouble -> done(outcomeOf(trouble)) }
-        } catch (unsendable: IllegalArgumentException) { // the text fits into no frame
+        } catch (unsendable: IllegalArgumentException) { // the text does not fit into a frame
             done(Outcome("wrong_arguments", unsendable.message.orEmpty()))
         }
     }
@@ -143,7 +142,7 @@ internal class JoinedBoard(
 }
 
 /**
- * Returns the outcome of a command that failed with [trouble], under the failure's name for agents. If [trouble] is null, the command was
+ * Returns the outcome of a command that failed with [trouble], with the error name that agents use. If [trouble] is null, the command was
  * carried out.
  */
 internal fun outcomeOf(trouble: Throwable?): Outcome {

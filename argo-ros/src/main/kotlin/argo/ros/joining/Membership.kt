@@ -20,12 +20,11 @@ import java.util.concurrent.TimeoutException
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Keeps [participant] in the ROS graph behind a bridge. Advertises the participant's services and topics, and does so again when the bridge
- * or the graph has returned. Publishes the participant's newest messages. All work happens on a thread of this object, and no caller waits
- * for it.
+ * Keeps [participant] in the ROS graph behind a bridge. Advertises the participant's services and topics. Repeats this after a restart of
+ * the bridge or the graph. Publishes the newest messages of the participant. All work runs on this object's thread, so no caller waits.
  *
  * @param tell takes a line about the connection, for the user
- * @param warn takes reports of things that the graph does not learn or does not accept, each text once
+ * @param warn takes reports of things that the graph rejects or lacks, each text once
  */
 internal class Membership(
     private val participant: Participant,
@@ -45,12 +44,11 @@ internal class Membership(
         close()
         thread.join()
     }
-    private var reported = "" // only the thread uses it
+    private var reported = "" // used only by the thread
 
     @Volatile
     private var isClosed = false
 
-    /** Begins to take part. Call this once. */
     fun start() {
         topics.onNews = { news.release() }
         thread.start()
@@ -63,7 +61,7 @@ internal class Membership(
             } catch (away: PortException) {
                 report("${away.message}; /${participant.name} is advertised as soon as it is there")
                 RETRY_MS
-            } catch (unforeseen: Throwable) { // otherwise the thread would end
+            } catch (unforeseen: Throwable) { // an unexpected error must not end this thread
                 report("the graph at $place is left, and joined again: $unforeseen")
                 RETRY_MS
             }
@@ -73,7 +71,7 @@ internal class Membership(
         farewell.close()
     }
 
-    /** Takes part until the connection ends or this object is closed. Returns the time in ms before the next visit. */
+    /** Takes part in the graph until the connection ends or this object is closed. Returns the wait in ms before the next attempt. */
     private fun visit(): Long {
         val connection = Connection()
         connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.credentials)
@@ -118,7 +116,7 @@ internal class Membership(
         }
         private val unsent = AtomicInteger()
         private val rounds = MessageRounds(topics, clock) { checkNanos = clock.nanos() + FIRST_CHECK_NANOS }
-        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS // only the thread uses it
+        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS // used only by the thread
 
         @Volatile
         var end: String? = null
@@ -143,7 +141,7 @@ internal class Membership(
 
         private fun send(message: Outgoing) = bridge.send(message)
 
-        /** Sends an answer ahead of the waiting messages. Leaves the bridge if it asks for more answers than it reads. */
+        /** Sends an answer ahead of the waiting messages. Closes the connection if the bridge requests answers but does not read them. */
         private fun answer(operation: String) {
             if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
             val message = Outgoing(operation, isUrgent = true)
@@ -165,7 +163,6 @@ internal class Membership(
             news.release()
         }
 
-        /** Withdraws the services if the bridge is still there, and closes the connection. */
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
@@ -176,7 +173,7 @@ internal class Membership(
                 } catch (_: TimeoutException) {
                     tell("the bridge at $place reads nothing, and goes on showing the services of /${participant.name}")
                 } catch (_: ExecutionException) {
-                    // the bridge has gone
+                    // the bridge no longer answers
                 }
             }
             api.close()
@@ -187,7 +184,10 @@ internal class Membership(
     private companion object {
         const val RETRY_MS = 1_000L
 
-        /** A ROS 1 bridge keeps a client's publishers for ten seconds and reuses them, even in a new graph that does not know them. */
+        /**
+         * After this wait, a ROS 1 bridge has dropped the publishers of the last connection. The bridge keeps a client's publishers for ten
+         * seconds, even if the graph is new.
+         */
         const val REJOINING_MS = 12_000L
         const val LEAVING_MS = 2_000L
         const val CLOSING_MS = 1_000L

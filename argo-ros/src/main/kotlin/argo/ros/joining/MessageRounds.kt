@@ -7,8 +7,8 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Sends the newest messages of [topics] to a bridge in rounds. A round begins only when the bridge has read the previous round, as its
- * answer to a ping shows. For one thread; only [answered] may be called by another thread.
+ * Sends the newest messages of [topics] to a bridge in rounds. A round is a group of messages with a ping behind it. The next round waits
+ * for the answer to the ping. One thread uses this object, but any thread may call [answered].
  */
 internal class MessageRounds(private val topics: Topics, private val clock: LineClock, private val isNew: () -> Unit) {
     private val names = HashSet<String>()
@@ -17,10 +17,12 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
     @Volatile
     private var isUnderWay = false
 
-    /** The advertised topics, with their types. */
     val advertised: Map<String, String> get() = topics.types.filterKeys(names::contains)
 
-    /** Begins a round on [bridge], unless one is under way. Returns false if the bridge has left a round unanswered for [ANSWER_S] s. */
+    /**
+     * Starts the next round on [bridge] if the last one is answered. Returns false if the bridge has left a round unanswered for [ANSWER_S]
+     * s.
+     */
     fun goOn(bridge: Bridge): Boolean {
         val now = clock.nanos()
         if (isUnderWay) return now - beganNanos <= ANSWER_NANOS
@@ -34,7 +36,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
 
     private fun send(bridge: Bridge, messages: List<Outgoing>) {
         if (messages.isEmpty()) return bridge.ping()
-        messages.last().left.whenComplete { _, _ -> bridge.ping() } // so the ping goes out behind all messages
+        messages.last().left.whenComplete { _, _ -> bridge.ping() } // sends the ping after all messages
         messages.forEach(bridge::queue)
         bridge.flush()
     }
@@ -54,7 +56,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
         const val ANSWER_S = 20L
         private val ANSWER_NANOS = TimeUnit.SECONDS.toNanos(ANSWER_S)
 
-        /** The time from one ping to the next while there are no messages. */
+        /** The interval between pings while there are no messages. */
         private val IDLE_NANOS = TimeUnit.SECONDS.toNanos(3)
     }
 }

@@ -10,9 +10,9 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * A participant's services, topics and action on one connection to a bridge. Through them the graph sends commands to the participant. Each
- * action of the participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may
- * call [hear], and another thread [renew]. [warn] takes reports of actions that the graph does not learn, each text once.
+ * The services, topics and the ROS action that a participant offers on one connection. The graph uses them to send commands to the
+ * participant. Each action of the participant has its own service and topic. A general service, topic and ROS action take any command. One
+ * thread may call [hear] while another calls [renew]. [warn] takes reports of actions that cannot be offered, each text once.
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action the action's name; null: any command, as text */
@@ -37,7 +37,7 @@ internal class Offers(private val participant: Participant, private val send: (S
 
     val topics: Map<String, String> get() = offers.entries.associate { (name, offer) -> topicOf(name) to offer.topicType }
 
-    /** Advertises newly known actions and withdraws the actions that are gone. Returns true if an offer is new. */
+    /** Advertises new actions and withdraws those that no longer exist. Returns true if there is a new offer. */
     fun renew(): Boolean {
         val wanted = wanted()
         (offers.keys - wanted.keys).forEach(::takeBack)
@@ -54,7 +54,7 @@ internal class Offers(private val participant: Participant, private val send: (S
     fun announceAction(isRos2: Boolean) =
         if (isRos2) send(operation("advertise_action", "action" to action, "type" to "argo_msgs/action/Act")) else goals.announce()
 
-    /** Withdraws all services. A ROS 1 bridge keeps the services of a client that has gone, and their callers would wait for ever. */
+    /** Withdraws all services. A ROS 1 bridge keeps the services of a lost client. Callers of these services would wait for ever. */
     fun takeAllBack() = offers.keys.forEach(::takeBack)
 
     private fun takeBack(name: String) {
@@ -119,11 +119,11 @@ internal class Offers(private val participant: Participant, private val send: (S
     private fun goalSent(operation: JsonObject) = act(offers[action], action, operation.part("args"), SendOptions.defaults()) {
         val status = if (it.error == null) SUCCEEDED else ABORTED
         val (id, name) = operation.text("id") to operation.text("action")
-        // if result were false, the bridge would drop the values
+        // if result is false, the bridge drops the values
         send(operation("action_result", "id" to id, "action" to name, "values" to it.response, "status" to status, "result" to true))
     }
 
-    /** Passes the command in [request] to the participant, and calls [done] once with the outcome. */
+    /** Passes the command in [request] to the participant. Calls [done] once with the outcome. */
     private fun act(offer: Offer?, name: String, request: JsonObject?, options: SendOptions, done: (Outcome) -> Unit) {
         val command = try {
             offer ?: throw RefusedRequest("there is no $name any more")
@@ -141,7 +141,7 @@ internal class Offers(private val participant: Participant, private val send: (S
     }
 
     private companion object {
-        /** The name of the service and of the action that take any command. */
+        /** The name of the service and the action that take any command. */
         const val ACT = "act"
         const val ACT_TYPE = "argo_msgs/Act"
 
@@ -153,7 +153,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Lets the newest command of a topic replace the topic's waiting commands. */
+        /** A new command of a topic replaces the topic's waiting commands. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

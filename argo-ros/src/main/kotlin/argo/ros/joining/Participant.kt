@@ -7,12 +7,12 @@ import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** A board or an agent that takes part in a graph. Any thread may call; no function waits. */
+/** A board or an agent that takes part in a graph. Safe for use by several threads. No function waits. */
 internal interface Participant {
-    /** The prefix of the participant's topics and services, without the slash. */
+    /** The prefix of the participant's topic and service names, without the leading slash. */
     val name: String
 
-    /** The participant's actions; null: they are not known. */
+    /** The participant's actions, or null if they are not known. */
     val actions: List<BoardAction>?
 
     /** Sends [command] and calls [done] once with its outcome, on any thread. */
@@ -22,11 +22,10 @@ internal interface Participant {
 /**
  * The outcome of a command.
  *
- * @param error the atom of the failure, such as `act_failed`; null: the command was carried out
+ * @param error the name of the error, such as `act_failed`, or null if the command was carried out
  * @param message the reason of the failure, for the user
  */
 internal data class Outcome(val error: String?, val message: String) {
-    /** The outcome as the response of a service, or as the result of an action. */
     val response get() = JsonObject(
         mapOf("success" to JsonPrimitive(error == null), "message" to JsonPrimitive(if (error == null) "" else inWords)),
     )
@@ -41,10 +40,10 @@ internal data class Outcome(val error: String?, val message: String) {
 }
 
 /**
- * Publishes a participant's percepts. For one thread at a time.
+ * Publishes a participant's percepts. Not safe for use by several threads at once.
  *
- * @param base the name of the participant, with the board's namespace if it has one: `/uno`
- * @param warn takes reports of percepts without a topic of their own, each text once
+ * @param base the participant's name, and the board's namespace if any: `/uno`
+ * @param warn takes reports of percepts without a topic, each text once
  */
 internal class PerceptPublisher(private val base: String, private val topics: Topics, private val warn: (String) -> Unit) {
     private var plain = emptySet<String>()

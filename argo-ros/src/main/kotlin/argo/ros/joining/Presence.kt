@@ -4,15 +4,15 @@ import argo.ros.bridge.RosApi
 import argo.ros.mapping.rosType
 
 /**
- * Checks that the graph has the advertised topics and services, since a bridge reports no refusal to its clients.
+ * Checks that the advertised topics and services exist in the graph. A bridge does not report refusals to its clients.
  *
- * @param warn takes reports of things that the graph does not have, each text once
- * @param lost called if the graph has lost all of a participant's topics and services, as after a restart of `roscore`
+ * @param warn takes reports of missing topics and services, each text once
+ * @param lost called if the graph has lost all topics and services of a participant, for example after a restart of `roscore`
  */
 internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
     private var wasSeen = false // only the bridge's thread uses it
 
-    /** Asks what the graph has, and compares that with [topics] and [services], each with its type. */
+    /** Asks for the topics and services of the graph, and compares them and their types with [topics] and [services]. */
     fun check(topics: Map<String, String>, services: Map<String, String>) {
         api.ask("/rosapi/topics").thenCombine(api.ask("/rosapi/services")) { known, offered ->
             val shown = known.texts("topics").orEmpty().zip(known.texts("types").orEmpty()).toMap()

@@ -13,7 +13,6 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.util.concurrent.CountDownLatch
 
-/** `ros-join`: puts boards into a ROS graph. */
 @Command(
     name = "ros-join",
     description = [
@@ -65,7 +64,7 @@ internal class RosJoinCommand : ToolCommand() {
         return 0
     }
 
-    /** Puts the board called [name] into the graph. Closing the result takes the board out of the graph. */
+    /** Adds the board [name] to the graph. Closing the result removes the board. */
     private fun join(name: String, port: String, bridge: BridgeAddress): AutoCloseable {
         val warn = OnceEach { tell("/$name: $it") }
         val topics = Topics(warn)
@@ -98,7 +97,6 @@ internal class RosJoinCommand : ToolCommand() {
     }
 }
 
-/** Adds `ros-join` to the tools. */
 class RosJoinProvider : ToolProvider {
     override fun command(): Any = RosJoinCommand()
 }

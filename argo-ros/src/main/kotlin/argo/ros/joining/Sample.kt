@@ -9,16 +9,16 @@ import kotlinx.serialization.json.JsonPrimitive
 /**
  * A percept as a message.
  *
- * @property topic the last part of the topic's name: `dist/front`
+ * @property topic the end of the topic's name, such as `dist/front`
  * @property type a type of `std_msgs`
  */
 internal data class Sample(val topic: String, val type: String, val message: JsonObject)
 
 /**
- * Returns the percept [text] as a message; null: it is no literal without variables.
+ * Returns the percept [text] as a message, or null if it is no literal or has variables.
  *
- * The functor and the atoms before the last argument form the topic's name, and the rest is the value: `dist(front,38)` is 38 on
- * `dist/front`. A percept without arguments is `true`.
+ * The functor and all arguments except the last form the topic's name. The last argument is the value: `dist(front,38)` is 38 on
+ * `dist/front`. A percept without arguments has the value `true`.
  */
 internal fun sampleOf(text: String): Sample? {
     val percept = GroundTerm.ofOrNull(text) as? GroundTerm.Structure ?: return null
@@ -45,7 +45,6 @@ internal const val NUMBER = "std_msgs/Float64"
 internal const val NUMBERS = "std_msgs/Float64MultiArray"
 internal const val STRING = "std_msgs/String"
 
-/** Returns a message of a type whose only field is `data`. */
 internal fun data(value: JsonElement) = JsonObject(mapOf("data" to value))
 
 private fun numbers(values: List<Double>) = JsonObject(
@@ -55,7 +54,7 @@ private fun numbers(values: List<Double>) = JsonObject(
     ),
 )
 
-/** Returns [text] as part of a name in the graph. A name in the graph has letters, digits and `_`, and begins with a letter. */
+/** Returns [text] as a valid part of a ROS name: letters, digits and `_`, with a letter first. */
 internal fun graphName(text: String): String {
     val name = text.removeSurrounding("'").map { if (it in 'a'..'z' || it in 'A'..'Z' || it in '0'..'9') it else '_' }.joinToString("")
     return if (name.firstOrNull()?.isLetter() == true) name else "x$name"

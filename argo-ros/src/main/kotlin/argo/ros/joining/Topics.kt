@@ -3,9 +3,9 @@ package argo.ros.joining
 import kotlinx.serialization.json.JsonObject
 
 /**
- * A participant's topics: the type of each, and its newest messages. A new message waits until the bridge has read the earlier ones, so a
- * slow bridge delays no thread and gets no old messages. Safe for use by several threads; no function waits. [warn] takes warnings for the
- * user, each text once.
+ * The topics of a participant, with their types and newest messages. A new message waits until the bridge has read the earlier ones. A
+ * newer message replaces a waiting one. Safe for use by several threads. No function waits. [warn] takes warnings for the user, each text
+ * once.
  */
 internal class Topics(private val warn: (String) -> Unit) {
     private class Topic(val type: String) {
@@ -17,13 +17,15 @@ internal class Topics(private val warn: (String) -> Unit) {
 
     private val topics = LinkedHashMap<String, Topic>() // guarded by this
 
-    /** The publishing thread calls this when messages wait. */
+    /** Called when messages wait. */
     @Volatile
     var onNews: () -> Unit = {}
 
     val types: Map<String, String> get() = synchronized(this) { topics.mapValues { it.value.type } }
 
-    /** Publishes [messages] of one moment. A topic keeps the type of its first message. There are at most [MAX_TOPICS] topics. */
+    /**
+     * Publishes [messages] that belong to one moment. A topic keeps the type of its first message. Publishes at most [MAX_TOPICS] topics.
+     */
     fun publish(name: String, type: String, messages: List<JsonObject>) {
         synchronized(this) {
             val topic = topics[name] ?: Topic(type).takeIf { topics.size < MAX_TOPICS }?.also { topics[name] = it }
@@ -35,7 +37,6 @@ internal class Topics(private val warn: (String) -> Unit) {
         onNews()
     }
 
-    /** Returns the waiting messages and removes them. */
     fun takeNews(): List<News> = synchronized(this) {
         topics.filterValues { it.isWaiting }.map { (name, topic) ->
             topic.isWaiting = false
@@ -43,11 +44,11 @@ internal class Topics(private val warn: (String) -> Unit) {
         }
     }
 
-    /** Lets the newest messages of all topics wait again, for a graph that does not have them. */
+    /** Queues the newest messages of all topics again, for a new graph. */
     fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
 
     companion object {
-        /** The largest number of topics, since a board may invent names. */
+        /** The greatest number of topics, since a board may send any names. */
         const val MAX_TOPICS = 1_000
     }
 }

@@ -1,6 +1,9 @@
 package argo.ros.mapping
 
-/** An expression whose value is [Value.TRUE] or [Value.FALSE], or [Value.None] if values that would decide are missing or do not fit. */
+/**
+ * An expression with the value [Value.TRUE], [Value.FALSE] or [Value.None]. The value is [Value.None] if a needed value is missing or has
+ * the wrong type.
+ */
 internal sealed interface Condition : Expression {
     data class Comparison(val left: Expression, val operator: String, val right: Expression) : Condition {
         override val parts get() = listOf(left, right)
@@ -21,11 +24,11 @@ internal sealed interface Condition : Expression {
             }
         }
 
-        /** Returns true if [value] is a boolean, but the [text] of [constant] is not, as in `data == 'True'` of a Bool. */
+        /** Returns true if [value] is a boolean and the [text] of [constant] is none, as in `data == 'True'`. */
         private fun isOtherThanTruth(value: Value, constant: Expression, text: String) =
             (value == Value.TRUE || value == Value.FALSE) && constant is Expression.Constant && text != "true" && text != "false"
 
-        /** Returns true if [value] is a text, and [constant] is `true` or `false` without quotes. */
+        /** Returns true if [value] is a text and [constant] is `true` or `false` without quotes. */
         private fun isTextForTruth(value: Value, constant: Expression) = value is Value.Text && constant is Expression.Constant &&
             !constant.isQuoted && (constant.value == Value.TRUE || constant.value == Value.FALSE)
 
@@ -51,7 +54,10 @@ internal sealed interface Condition : Expression {
         }
     }
 
-    /** Several conditions. One condition with the value [decisive] decides: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
+    /**
+     * Several conditions. One condition with the value [decisive] decides the result. [decisive] is [Value.FALSE] for `and`, and
+     * [Value.TRUE] for `or`.
+     */
     data class Several(val decisive: Value, val operands: List<Expression>) : Condition {
         override val parts get() = operands
 
@@ -62,14 +68,13 @@ internal sealed interface Condition : Expression {
     }
 
     companion object {
-        /** All operators, the longer ones first. */
+        /** All operators. Longer operators come first, since `<=` is not to be read as `<`. */
         val OPERATORS = listOf("<=", ">=", "==", "!=", "<", ">")
     }
 }
 
 private fun truth(isTrue: Boolean) = if (isTrue) Value.TRUE else Value.FALSE
 
-/** Returns the value of a condition, which may be a field. */
 internal fun Expression.truthIn(scope: Scope): Value = valueIn(scope).let { value ->
     if (value == Value.TRUE || value == Value.FALSE || value is Value.None) value
     else Value.None("a condition is true or false, and not ${value.inWords()}")

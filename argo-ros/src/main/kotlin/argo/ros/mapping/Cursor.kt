@@ -1,9 +1,9 @@
 package argo.ros.mapping
 
-/** A mapping's line has wrong text at [place]. */
+/** The mapping has an error at [place]. */
 internal class Refusal(val place: Place, message: String) : Exception(message)
 
-/** Reads a rule from its beginning to its end. [start] is the place of [text] in its file. */
+/** Reads the text of a rule from left to right. [start] is the place of [text] in its file. */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0
 
@@ -17,7 +17,7 @@ internal class Cursor(private val text: String, private val start: Place) {
 
     val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
 
-    /** Takes [symbol] if it is next. If [symbol] is a word, the text's word must end there too. */
+    /** Skips [symbol] if it is next. If [symbol] is a word, the next word must equal it. */
     fun take(symbol: String): Boolean {
         val isThere = text.startsWith(symbol, at) && !(symbol.last().isWordPart() && text.getOrNull(at + symbol.length).isWordPart())
         if (isThere) advance(symbol.length)

@@ -4,23 +4,24 @@ import kotlinx.serialization.json.JsonObject
 
 /** An expression over the fields of a message or the arguments of a command. A [Scope] contains their values. */
 internal sealed interface Expression {
-    /** The expressions within this expression. */
     val parts: List<Expression> get() = emptyList()
 
-    /** Returns the value; [Value.None] if a field has no value, or a value that does not suit the calculation. */
+    /** Returns the value. Returns [Value.None] if a field has no value, or a value of the wrong type. */
     fun valueIn(scope: Scope): Value
 
-    /** A constant. [isQuoted] tells whether the atom is in quotes. */
+    /** A constant. [isQuoted] is true if the constant is an atom in quotes. */
     data class Constant(val value: Value, val isQuoted: Boolean = false) : Expression {
         override fun valueIn(scope: Scope) = value
     }
 
-    /** A field, or a parameter. */
     data class Field(val place: Place, val path: Path) : Expression {
         override fun valueIn(scope: Scope) = scope.valueOf(path)
     }
 
-    /** All fields of a message except its header, as the arguments of a percept. Each is a literal with the field's name and value. */
+    /**
+     * All fields of a message except its header, as arguments of a percept. Each argument is a literal with the name and the value of a
+     * field.
+     */
     data object AllFields : Expression {
         override fun valueIn(scope: Scope): Value {
             val message = (scope.valueOf(emptyList()) as Value.Part).json as JsonObject
@@ -59,7 +60,7 @@ internal sealed interface Expression {
         }
     }
 
-    /** A literal. [place] is set for a literal without quotes within another literal, since a field or a function may be meant. */
+    /** A literal. [place] is set for an unquoted literal within another literal, since the author may mean a field or a function. */
     data class Compound(val functor: String, val arguments: List<Expression>, val place: Place? = null) : Expression {
         override val parts get() = arguments
 
@@ -77,7 +78,7 @@ internal sealed interface Expression {
     }
 }
 
-/** Returns the literals without quotes within this expression. */
+/** Returns the unquoted literals within this expression. */
 internal fun Expression.literals(): List<Expression.Compound> =
     listOfNotNull((this as? Expression.Compound)?.takeIf { it.place != null }) + parts.flatMap { it.literals() }
 

@@ -3,26 +3,24 @@ package argo.ros.mapping
 import argo.filters.GroundTerm
 import java.math.BigDecimal
 
-/** Reads expressions. [nameOf] returns the meaning of a bare name that is an argument of a literal. */
+/** Reads expressions. [nameOf] decides what a bare name in the arguments of a literal means. */
 internal class ExpressionReader(
     private val cursor: Cursor,
     private val nameOf: (String, Place) -> Expression = { name, place -> Expression.Field(place, listOf(Step.Name(name))) },
 ) {
-    /** The atoms without quotes that have been read, with their places. */
+    /** The unquoted atoms that were read, with their places. */
     val atoms = ArrayList<Pair<Expression, Place>>()
 
-    /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
+    /** Reads an expression. A bare name is a field or a parameter. In the arguments of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression = several("or", Value.TRUE, isArgument) { one ->
         several("and", Value.FALSE, one, ::negation)
     }
 
-    /** Reads a condition. */
     fun readCondition(): Expression {
         val place = cursor.place
         return decidable(read(), place)
     }
 
-    /** Reads a literal, `stop` or `dist(f, range*100)`. */
     fun readLiteral(): Expression.Compound {
         val place = cursor.place
         val functor = cursor.expect(NAME, "the literal that a percept is, as dist(f, range)")
@@ -74,7 +72,7 @@ internal class ExpressionReader(
         }
     }
 
-    /** Returns [expression], at [place], if it can be true or false. */
+    /** Returns [expression] if it can be true or false, and refuses others. */
     private fun decidable(expression: Expression, place: Place): Expression {
         val isMeant = expression is Condition || expression is Expression.Field ||
             expression is Expression.Constant && (expression.value == Value.TRUE || expression.value == Value.FALSE)
@@ -82,7 +80,6 @@ internal class ExpressionReader(
         throw Refusal(place, "a condition compares values by ${Condition.OPERATORS.joinToString(" ")}, or is a field that is true or false")
     }
 
-    /** Returns [expression] if it suits a calculation; refuses an atom or a string. */
     private fun calculable(expression: Expression): Expression = when {
         expression is Condition -> throw cursor.refusal("only numbers and fields can be calculated with, and no conditions")
         expression !is Expression.Constant || expression.value is Value.Number -> usable(expression, cursor.place)
@@ -122,7 +119,7 @@ internal class ExpressionReader(
         return Value.Number(number)
     }
 
-    /** Returns the text that [quoted] means. Within [quoted], a quote or a backslash has a backslash in front. */
+    /** Returns the text in [quoted]. A backslash escapes a quote or a backslash. */
     private fun unescaped(quoted: String, place: Place): String = ESCAPE.replace(quoted.substring(1, quoted.length - 1)) { escape ->
         escape.groupValues[1].takeIf { it == "\"" || it == "\\" }
             ?: throw Refusal(place, "behind \\ in a string there is \" or \\, and not '${escape.groupValues[1]}'")
@@ -184,7 +181,7 @@ internal class ExpressionReader(
         private val QUOTED = Regex("'[^'\\\\]+'")
         private val ZERO = Expression.Constant(Value.Number(0.0))
 
-        /** Returns the atom [quoted], without its quotes if it needs no quotes. */
+        /** Returns the atom [quoted], without its quotes if they are not needed. */
         private fun plain(quoted: String): String =
             quoted.removeSurrounding("'").takeIf { Regex("[a-z][A-Za-z0-9_]*").matches(it) && GroundTerm.ofOrNull(it) != null } ?: quoted
     }

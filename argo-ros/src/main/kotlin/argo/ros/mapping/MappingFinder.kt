@@ -9,13 +9,13 @@ import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
-/** The characters that are valid in an HTTP header. */
+/** Matches text that an HTTP header can contain. */
 private val TOKEN = Regex("[!-~]+")
 
 internal const val SUFFIX = ".ros.yaml"
 
 /**
- * Reads the mapping [name] anew from [directory], or from the class path if [directory] does not have it. The name may begin with folders.
+ * Reads the mapping [name] from [directory]. If it is not there, reads it from the class path. The name may contain folders.
  *
  * @throws MappingException if the mapping is refused, or not found
  */

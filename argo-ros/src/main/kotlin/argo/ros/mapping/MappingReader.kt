@@ -5,10 +5,10 @@ import argo.filters.Problem
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**
- * Reads a mapping. The syntax of mappings is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain
- * texts of one line.
+ * Reads a mapping. Mappings use a part of the YAML syntax: comments, and the keys `percepts` and `commands`. Each key has a list of plain
+ * one-line texts.
  *
- * @throws MappingException with all problems, if there are any
+ * @throws MappingException with all problems of the mapping
  */
 internal fun mappingOf(text: String, source: String): Mapping {
     val percepts = ArrayList<PerceptRule>()
@@ -47,12 +47,11 @@ internal fun mappingOf(text: String, source: String): Mapping {
 
 private class Item(val text: String, val place: Place)
 
-/** A comment may contain tabulators, or come behind tabulators. */
+/** A comment may contain tabs or follow tabs. */
 private val COMMENT = Regex("(^|[ \t]+)#.*")
 private val ITEM = Regex("( *)- +(.*)")
 private val KEY = Regex("([A-Za-z_]+) *:(.*)")
 
-/** Returns the item in [line] without its comment; null: there is no item. */
 private fun itemIn(line: String, start: Place): Item? {
     val tabulator = line.replace(COMMENT, "").indexOf('\t')
     if (tabulator >= 0) {

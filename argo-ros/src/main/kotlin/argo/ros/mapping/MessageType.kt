@@ -8,17 +8,17 @@ import java.math.BigDecimal
 import java.math.BigInteger
 import java.util.Base64
 
-/** A path leads to no field, or a field cannot have a value; [message] names the fault. */
+/** A path leads to no field, or the field cannot have the value; [message] gives the reason. */
 internal class Unfit(message: String) : Exception(message)
 
 /**
  * The type of a field.
  *
- * @property name a type of ROS 1 or of ROS 2: `float64`, `double`, `geometry_msgs/Vector3`
- * @property length the number of items of a list, [ANY] if the number is open; [SINGLE] if the field is no list
+ * @property name a ROS 1 or ROS 2 type, such as `float64`, `double` or `geometry_msgs/Vector3`
+ * @property length the number of items of a list; [ANY] if it varies, [SINGLE] if the field is no list
  */
 internal data class FieldType(val name: String, val length: Int) {
-    /** True if bridges write the field as text in base64. */
+    /** True if bridges encode the field as base64 text. */
     val isBytes: Boolean get() = length != SINGLE && name in BYTES
 
     override fun toString() = name + if (length == SINGLE) "" else if (length == ANY) "[]" else "[$length]"
@@ -31,10 +31,10 @@ internal data class FieldType(val name: String, val length: Int) {
 }
 
 /**
- * A type of messages, as a robot describes it, together with all types within it. Immutable.
+ * A message type that a robot has described, with all types that it contains. Immutable.
  *
- * @property name the type, as the mapping writes it
- * @property constants the values of the type's constants, and of the constants of types within it
+ * @property name the type's name in the mapping
+ * @property constants the constants of this type and of the types that it contains
  */
 internal class MessageType private constructor(
     val name: String,
@@ -43,9 +43,9 @@ internal class MessageType private constructor(
     val constants: Map<String, JsonElement>,
 ) {
     /**
-     * Returns the type of the field at [path]; null: the type that contains the field is not described, or [path] names a constant.
+     * Returns the type of the field at [path].
      *
-     * @throws Unfit if there is no such field
+     * Returns null if the type around the field is not described, or if [path] names a constant. ¶ @throws Unfit if there is no such field
      */
     fun typeAt(path: Path): FieldType? {
         if (constantIn(path) in constants) return null
@@ -82,23 +82,18 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /**
-     * Returns the beginning of [path] that leads to bytes, which a message has as text; null: there are no bytes on [path], or no such
-     * field.
-     */
+    /** Returns the beginning of [path] that leads to a byte array, or null if there is none. */
     private fun bytesIn(path: Path): Path? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
-        null // the wrong path was reported when the type became known
+        null // the wrong path was reported when the type was received
     }
 
-    /** Returns true if a message of this type has the field [name]. */
     fun has(name: String): Boolean = types[own]?.containsKey(name) == true
 
-    /** The names of this type's fields. */
     val fieldNames: Set<String> get() = types[own].orEmpty().keys
 
-    /** Returns sentences about fields of poses that stay empty in a message in which only [paths] have values. */
+    /** Returns warnings about pose fields that stay empty if a message sets only [paths]. */
     fun emptyAmong(paths: List<Path>): List<String> = paths.flatMap { path -> path.indices.map(path::take) }.distinct()
         .flatMap { place -> emptyRotations(place, paths) + listOfNotNull(emptyFrame(place, paths)) }
 
@@ -114,17 +109,15 @@ internal class MessageType private constructor(
         return "${written(frame)} of $name is left empty, so that its frame is not known; write ${written(frame)} = 'map'"
     }
 
-    /** Returns the fields of the message at [place], each with the name of its type. */
     private fun fieldsAt(place: Path): Map<String, String> =
         types[if (place.isEmpty()) own else typeAt(place)?.name].orEmpty().mapValues { it.value.name }
 
-    /** Returns the beginnings of the paths of [read] that lead to bytes. */
     fun bytesAmong(read: List<Expression.Field>): Set<Path> = read.mapNotNull { bytesIn(it.path) }.toSet()
 
     /**
-     * Returns [value] in the form for the field at [path].
+     * Returns [value] in the form that the field at [path] needs.
      *
-     * @throws Unfit if there is no such field, or the field cannot have [value]; ROS would drop the whole message
+     * @throws Unfit if there is no such field, or if it cannot have [value]. ROS would drop the whole message.
      */
     fun fit(path: Path, value: JsonElement): JsonElement {
         val type = typeAt(path) ?: return value
@@ -138,7 +131,7 @@ internal class MessageType private constructor(
     /**
      * Checks that an argument of a command can be the value of the field at [path].
      *
-     * @throws Unfit if there is no such field, or the field is a message, which no argument can be
+     * @throws Unfit if there is no such field, or if the field is a message
      */
     fun requireNoMessage(path: Path) {
         val type = typeAt(path)?.takeIf { it.length == FieldType.SINGLE && isMessage(it) } ?: return
@@ -207,7 +200,8 @@ internal class MessageType private constructor(
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
             val own = types.find { it.first == rosType(name) } ?: types.firstOrNull() ?: return null
-            val ownLast = definitions.sortedBy { rosType(it.word("type").orEmpty()) == own.first } // last, so its constants hide others
+            // the type's own constants come last and replace others
+            val ownLast = definitions.sortedBy { rosType(it.word("type").orEmpty()) == own.first }
             return MessageType(name, own.first, types.toMap(), ownLast.flatMap(::constantsOf).toMap())
         }
 
@@ -220,9 +214,9 @@ internal class MessageType private constructor(
             val types = definition.words("fieldtypes")
             val lengths = definition.words("fieldarraylen")
             return definition.words("fieldnames").withIndex().associate { (index, field) ->
-                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without the bound of ROS 2
+                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without the length limit of ROS 2
                 val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
-                field.removePrefix("_") to FieldType(rosType(type), length) // rosapi of ROS 2 puts "_" in front
+                field.removePrefix("_") to FieldType(rosType(type), length) // rosapi of ROS 2 adds a leading "_"
             }
         }
 
@@ -232,11 +226,11 @@ internal class MessageType private constructor(
     }
 }
 
-/** Returns [type] without the `/msg` that ROS 2 writes between package and name. */
+/** Returns [type] without the `/msg` that ROS 2 adds. */
 internal fun rosType(type: String) = type.replace("/msg/", "/")
 
 /**
- * Returns a text in base64 as a list of its bytes, and any other value unchanged. Null: the text is not in base64, or has more than
+ * Decodes base64 text to a list of bytes. Returns other values unchanged. Returns null if the text is no base64, or has more than
  * [MAX_ITEMS] bytes.
  */
 internal fun bytesOf(value: JsonElement): JsonElement? {

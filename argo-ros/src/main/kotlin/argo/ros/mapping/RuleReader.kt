@@ -10,7 +10,6 @@ private val FRAME = Regex("[A-Za-z0-9_/][A-Za-z0-9_/.]*(-(?!>)[A-Za-z0-9_/.]*)*"
 private const val TYPE_IN_WORDS = "a type, as sensor_msgs/Range or sensor_msgs/msg/Range"
 private const val MAX_MS = 86_400_000.0
 
-/** Reads the text behind a dash below `percepts:`. */
 internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val cursor = Cursor(text, start)
     val frames = if (cursor.take("tf ")) framesIn(cursor) else null
@@ -45,7 +44,10 @@ private fun framesIn(cursor: Cursor): Frames {
     return Frames(parent, child)
 }
 
-/** Returns the percept of a message: a [Value.Symbol]; [Value.None] if a value is missing; [NO_PERCEPT] if the condition does not hold. */
+/**
+ * Returns the percept of a message as a [Value.Symbol]. Returns [Value.None] if a value is missing, and [NO_PERCEPT] if the condition does
+ * not hold.
+ */
 internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = condition?.truthIn(scope) ?: Value.TRUE) {
     Value.TRUE -> percept.valueIn(scope)
     is Value.None -> truth
@@ -55,8 +57,8 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = cond
 private val NO_PERCEPT = Value.Text("")
 
 /**
- * Refuses names that seem to be meant as fields: atoms without quotes behind the first field, whereas `f` in `dist(f, range)` is accepted,
- * and functors with a field's name.
+ * Refuses names that probably mean fields. Refuses unquoted atoms behind the first field, and functors with the name of a field. `f` in
+ * `dist(f, range)` is accepted.
  */
 private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")
@@ -68,7 +70,7 @@ private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String
     throw Refusal(at, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
 }
 
-/** Returns why a literal with the functor [name] and without quotes is refused: the functor is a field of [type]. */
+/** Returns the error message for an unquoted literal whose functor [name] is a field of [type]. */
 internal fun meantAsField(name: String, type: String) =
     "$name is a field of $type, and no literal; an item of a list is $name[0], and a literal would be written '$name'(…)"
 
@@ -113,7 +115,6 @@ private fun end(cursor: Cursor, expected: String) {
     throw cursor.refusal("expected $expected, but found ${cursor.found}$hint")
 }
 
-/** Reads the text behind a dash below `commands:`. */
 internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val cursor = Cursor(text, start)
     val literal = ExpressionReader(cursor).readLiteral()

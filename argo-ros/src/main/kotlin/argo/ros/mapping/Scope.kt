@@ -6,15 +6,14 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 
 internal fun interface Scope {
-    /** Returns the value at [path]; [Value.None] if there is no value. */
     fun valueOf(path: Path): Value
 }
 
 /**
  * The fields of a message, and the constants of its type.
  *
- * @param bytes the paths of the fields that are bytes, which bridges write as text in base64
- * @param constants the values of the constants that are known
+ * @param bytes the paths of the byte arrays, which bridges encode as base64 text
+ * @param constants the known constants
  */
 internal class MessageScope(
     private val message: JsonElement,
@@ -33,7 +32,7 @@ internal class MessageScope(
     private fun constant(name: String): Value = constants[name]?.let(Value::of)
         ?: Value.None("there is no field $name, and no constant $name is known; rosapi describes constants")
 
-    /** Begins at the part [at], follows the steps of [path] from [index] on, and returns the part at their end. */
+    /** Follows [path] from step [index] on, starting at the part [at]. */
     private fun part(at: JsonElement, path: Path, index: Int): Value {
         val step = path.getOrNull(index) ?: return Value.Part(at)
         val inner = when (step) {
@@ -70,5 +69,5 @@ internal class MessageScope(
 
 private val CONSTANT = Regex("[A-Z][A-Z0-9_]+")
 
-/** Returns the name of the constant that [path] may mean, which is in capital letters; null: [path] means no constant. */
+/** Returns the name if [path] is one name in capital letters, as constants are; otherwise null. */
 internal fun constantIn(path: Path): String? = (path.singleOrNull() as? Step.Name)?.name?.takeIf(CONSTANT::matches)

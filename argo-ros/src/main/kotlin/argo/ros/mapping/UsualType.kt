@@ -1,11 +1,10 @@
 package argo.ros.mapping
 
 /**
- * A message type with fields that ARGO knows. Rules for such a type have a short form, in which every name that is no field of the type is
- * an atom.
+ * A message type whose fields ARGO knows. Rules for the type have a short form. In the short form, a name that is no field is an atom.
  *
  * @property percept the default arguments of a percept
- * @property command the fields for a command's arguments, in their order; empty: there is no short form
+ * @property command the fields for a command's arguments, in order; empty if there is no short form
  */
 internal class UsualType(val fields: Set<String>, val percept: List<String>, val command: List<String>) {
     companion object {
@@ -44,13 +43,13 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
             if (field.startsWith("yaw(")) "yaw($path.orientation)" else "$path.$field"
 
         /**
-         * Returns the usual type with the name [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: [type] is no usual type.
+         * Returns the usual type named [type], or null if there is none. Accepts ROS 1 and ROS 2 names, such as `sensor_msgs/msg/Range`.
          */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
         val names: Set<String> get() = TYPES.keys
 
-        /** The type of the pose of a frame in another frame. */
+        /** The type for the pose of one frame in another. */
         val FRAME_POSE = UsualType(setOf("x", "y", "z", "yaw", "rotation"), emptyList(), emptyList())
     }
 }

@@ -10,16 +10,14 @@ import kotlinx.serialization.json.doubleOrNull
 import java.math.BigDecimal
 
 internal sealed interface Value {
-    /** A finite number, never NaN. */
     data class Number(val value: Double) : Value
 
-    /** Text in a message, a string for the agent. */
+    /** Text in a message. The agent gets it as a string. */
     data class Text(val value: String) : Value
 
-    /** An atom or another literal, as written. `true` and `false` are booleans in a message. */
+    /** An atom or another literal, as written. Booleans of messages are `true` and `false`. */
     data class Symbol(val text: String) : Value
 
-    /** Any other part of a message. */
     data class Part(val json: JsonElement) : Value
 
     /** The value is missing; [why] tells the reason. */
@@ -29,11 +27,11 @@ internal sealed interface Value {
         val TRUE = Symbol("true")
         val FALSE = Symbol("false")
 
-        /** Returns the value of [number]; [None] if it is NaN or infinite, as a robot sends it for a missing measurement. */
+        /** Returns the value of [number], or [None] if it is NaN or infinite. Robots send these numbers for missing measurements. */
         fun of(number: Double): Value =
             if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
 
-        /** Returns the value of a field. A bridge writes NaN and infinite numbers as `null`. */
+        /** Returns the value of a field. Bridges write NaN and infinite numbers as `null`. */
         fun of(json: JsonElement): Value = when (json) {
             JsonNull -> None("it is null; bridges write so for a number that is infinite or NaN")
             is JsonPrimitive -> when {
@@ -52,16 +50,16 @@ internal sealed interface Value {
     }
 }
 
-/** The longest list in an argument. Jason compares lists by recursion, and 2,000 items exhaust its stack. */
+/** The greatest length of a list in an argument. Jason compares lists recursively, and 2,000 items overflow its stack. */
 internal const val MAX_ITEMS = 1_000
 
-/** From this number on, a double cannot hold every whole number, and Jason's numbers are doubles. */
+/** 2 to the power of 53, from which on a double cannot hold every whole number. Jason's numbers are doubles. */
 private const val EXACT = 9007199254740992.0
 
-/** Whole numbers up to this number are written without a fraction. No integer of ROS is larger. */
+/** The largest integer of ROS. Larger whole numbers are written with a fraction. */
 private const val MAX_INTEGER = 18446744073709551615.0
 
-/** Returns the text of this value as an argument of a percept, or the reason why an agent cannot have it. */
+/** Returns this value as an argument of a percept, or [Value.None] with the reason if that is impossible. */
 internal fun Value.asTerm(): Value = when (this) {
     is Value.Number -> Value.Symbol("${GroundTerm.Number(value)}")
     is Value.Text -> Value.Symbol("${GroundTerm.Text(value)}")
@@ -80,10 +78,10 @@ private fun listOf(array: JsonArray): Value {
     return terms(array.map { it to "" })
 }
 
-/** Returns [message] as the list of its fields, each a literal with the field's name and value. */
+/** Returns the fields of [message] as a list of literals. Each literal has the name and the value of a field. */
 private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
 
-/** Returns the list of [items], each as the argument of its functor; an item whose functor is empty is written without a functor. */
+/** Returns [items] as a list. Each item becomes the argument of its functor. An empty functor leaves the item as it is. */
 private fun terms(items: List<Pair<JsonElement, String>>): Value {
     val terms = items.map { (item, functor) ->
         val value = Value.of(item)
@@ -98,7 +96,6 @@ private fun terms(items: List<Pair<JsonElement, String>>): Value {
     return Value.Symbol(terms.joinToString(",", "[", "]"))
 }
 
-/** Returns the field's [name] as a functor, in quotes if needed. */
 private fun functorOf(name: String) = when {
     GroundTerm.ofOrNull("$name(0)") is GroundTerm.Structure -> name
     name.isEmpty() || name.any { it == '\'' || it == '\\' || it.isISOControl() } -> UNREADABLE
@@ -107,20 +104,20 @@ private fun functorOf(name: String) = when {
 
 private const val UNREADABLE = "\u0000"
 
-/** The greatest length of a text in a list or a message, since agents rarely read these. A text that a rule names may be longer. */
+/** The greatest length of a text within a list or a message. A text that a rule names directly may be longer. */
 private const val MAX_TEXT = 10_000
 
-/** The atom that replaces an item or a field that is infinite or no number, so that the other items keep their places. */
+/** Replaces a list item or field that is infinite or NaN, so that the other items keep their positions. */
 private val NOT_MEASURED = Value.Symbol("null")
 
-/** Returns this value's number, rounded to a double; null: it is no number. */
+/** Returns this value as a double, or null if it is no number. */
 internal fun Value.number(): Double? = when (this) {
     is Value.Number -> value
     is Value.Part -> (json as? JsonPrimitive)?.doubleOrNull
     else -> null
 }
 
-/** Returns the text of a string or an atom, without quotes; null: the value is neither. */
+/** Returns the text of a string or an atom, without quotes, or null for other values. */
 internal fun Value.plainText(): String? = when (this) {
     is Value.Text -> value
     is Value.Symbol -> text.removeSurrounding("'")
@@ -141,7 +138,7 @@ internal fun Value.inWords(): String = when (this) {
 
 private const val SHOWN = 40
 
-/** Returns this value as part of a message to send. Whole numbers have no fraction, since a field may be an integer. */
+/** Returns this value as JSON to send. Whole numbers have no fraction, since the field may be an integer. */
 internal fun Value.asJson(): JsonElement = when (this) {
     is Value.Number -> when {
         value != Math.rint(value) || Math.abs(value) > MAX_INTEGER -> JsonPrimitive(value)

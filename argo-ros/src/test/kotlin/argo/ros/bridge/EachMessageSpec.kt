@@ -12,7 +12,6 @@ import kotlin.time.Duration.Companion.seconds
 
 private const val PORT = "ros://robot:9090#each"
 
-/** Rules for which each message counts, and not only the newest. */
 class EachMessageSpec : FunSpec({
     val told = ArrayList<String>()
     fun messages(rule: String) = TopicMessages(mappingOf("percepts:\n  - $rule", "t").percepts, { null }, told::add)

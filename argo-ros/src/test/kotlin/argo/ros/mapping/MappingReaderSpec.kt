@@ -60,7 +60,7 @@ class MappingReaderSpec : FunSpec({
             isMet("a and not b or c", """{"a": true, "b": true, "c": true}""") shouldBe true
             isMet("a and not (b or c)", """{"a": true, "b": false, "c": true}""") shouldBe false
             isMet("not x < 1", """{"x": 1}""") shouldBe true
-            isMet("x == 1 or y == 1", """{"y": 1}""") shouldBe true // one that decides is enough
+            isMet("x == 1 or y == 1", """{"y": 1}""") shouldBe true // one decisive operand is enough
             isMet("x == 1 and y == 1", """{"y": 1}""") shouldBe false
             isMet("word == \"it's \\\"\\\\\"", """{"word": "it's \"\\"}""") shouldBe true
             percept("/a my_msgs/A -> a(x < 1, true)", """{"x": 0}""") shouldBe "a(true,true)"

@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
-/** The schema for editors says of a line no less than it can, and never no to one that the reader takes. */
+/** The editor schema accepts every line that the reader accepts. */
 class MappingSchemaSpec : FunSpec({
     val schema = Json.parseToJsonElement(checkNotNull(MappingSchemaSpec::class.java.getResource("mapping.schema.json")).readText())
     fun pattern(key: String) = Regex(
