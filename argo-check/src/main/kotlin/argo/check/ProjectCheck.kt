@@ -28,14 +28,14 @@ import argo.check.rules.VariableRules
 class ProjectCheck(private val project: Project) {
     private val facts by lazy { Facts(project) }
 
-    /** Returns the findings in all files, those in programs first. Findings in a program are in the order of its text. */
+    /** Returns the findings in all files, programs first. Findings in a program have the order of its text. */
     fun findings(): List<Finding> = project.programs.values.flatMap(::findingsIn) + findingsInFiles()
 
-    /** Returns the findings in the files that are not programs: project files, filters and descriptions of percepts. */
+    /** Returns the findings in project files, filters and percept files. */
     fun findingsInFiles(): List<Finding> =
         ProjectFileRules.check(project) + FilterRules.check(project) + PerceptFileRules.check(project)
 
-    /** Returns the findings in [program], one of the project's programs, in the order of its text. */
+    /** Returns the findings in [program] in the order of its text. [program] must belong to the project. */
     fun findingsIn(program: AgentProgram): List<Finding> {
         val report = Report(program::place)
         val scene = Scene(facts, program)

@@ -12,20 +12,20 @@ import argo.check.syntax.Unread
 import argo.check.syntax.programOf
 import java.nio.file.Path
 
-/** A file with a program in AgentSpeak. */
+/** An AgentSpeak file. */
 class AgentProgram(val path: Path, text: String) {
     val program: Program = programOf(text)
 
     val mentions: Mentions by lazy { MentionReader().read(program.components) }
 
-    /** The words in parts that the reader skipped after an error. The role of a skipped word is unknown. */
+    /** The words in text that the reader skipped after an error. The roles of these words are unknown. */
     val unread: Set<String> by lazy {
         val spans = program.components.filterIsInstance<Unread>().map { it.span }
         val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }
         tokens.map { it.text }.toSet()
     }
 
-    /** The files that this program includes, as the program writes them. */
+    /** The paths of included files, as written in the program. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
     internal val filtersCalled: List<String> by lazy {
@@ -38,23 +38,26 @@ class AgentProgram(val path: Path, text: String) {
         }
     }
 
-    /** True if the program has a directive with an inner program, such as a pattern of Jason, which may add plans. */
+    /** True if a directive contains a program, as Jason's patterns do. The contained program may add plans. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
 
-    /** The offsets of the goals of plans annotated `test`. Jason finds these plans by their labels, so their goals may have any name. */
+    /**
+     * The offsets of the goals of plans annotated `test`. Jason finds test plans by their labels. The goals of test plans may have any
+     * name.
+     */
     val goalsOfTests: Set<Int> by lazy {
         program.nodes().filterIsInstance<Plan>()
             .filter { plan -> plan.label?.annotations?.items.orEmpty().any { (it as? Literal)?.functor == "test" } }
             .mapNotNull { (it.trigger.term as? Literal)?.name?.span?.start }.toSet()
     }
 
-    /** The goals and beliefs that comments such as `argo: others may send goal/2, belief/1` list, each with its number of arguments. */
+    /** The goals and beliefs, with their arities, that comments list: `argo: others may send goal/2, belief/1`. */
     val sentByOthers: Set<String> by lazy {
         val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
     }
 
-    /** Returns true if findings in [line] are ignored, by a comment in [line] or by one that fills the line above. */
+    /** Returns true if a comment suppresses findings in [line]. The comment is in that line, or alone in the line above. */
     fun isIgnored(line: Int): Boolean = line in ignoredLines
 
     private val ignoredLines: Set<Int> by lazy {

@@ -5,15 +5,16 @@ import argo.check.syntax.Span
 import javino.PerceptKind
 import kotlin.io.path.name
 
-/** A word at [span] of [file] and its [meaning]. If [isObserved], a board has sent the word, and may also send others. */
+/**
+ * A word at [span] of [file], and the word's [meaning]. [isObserved] is true if a board has sent the word. The board may also send others.
+ */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
-/** The part [span] of [file], which does not describe a percept, and the [reason]. */
+/** A part of [file] that is no valid description of a percept, and the [reason]. */
 class Unreadable(val file: ProjectFile, val span: Span, val reason: String) {
     override fun toString(): String = "${file.path.name}: $reason"
 }
 
-/** The kinds of percepts that [file] describes. */
 internal class Descriptions(private val file: ProjectFile) {
     private val read = ArrayList<Described<PerceptKind>>()
     private val refused = ArrayList<Unreadable>()
@@ -21,7 +22,7 @@ internal class Descriptions(private val file: ProjectFile) {
     val percepts: List<Described<PerceptKind>> get() = read
     val unreadable: List<Unreadable> get() = refused
 
-    /** Reads the part [span] of the file as the description of one kind. */
+    /** Reads the text at [span] as the description of one percept. */
     fun add(span: Span, isObserved: Boolean = false) {
         try {
             read += Described(PerceptKind.parse(file.text.substring(span.start, span.end)), file, span, isObserved)
@@ -31,7 +32,7 @@ internal class Descriptions(private val file: ProjectFile) {
     }
 }
 
-/** Reads a file of percepts: one kind in each line, comments behind `#`. An observed kind has the comment `# observed`. */
+/** Reads a percept file. Each line describes one percept, and `#` begins a comment. The comment `# observed` marks an observed percept. */
 internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).apply {
     for (line in 1..file.lines.count) {
         val text = file.lines.text(line)
@@ -43,7 +44,7 @@ internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).
 
 private const val OBSERVED = "observed"
 
-/** The kinds of percepts and the actions that a sketch or a Python program describes to the Javino library. */
+/** The percepts and actions that a sketch or a Python program registers in the Javino library. */
 internal class BoardProgram(private val file: ProjectFile) {
     val descriptions = Descriptions(file).apply {
         DESCRIBED.findAll(file.text).forEach { add(spanOf(it.groups[1]!!.range)) }
@@ -61,7 +62,7 @@ internal class BoardProgram(private val file: ProjectFile) {
     private fun spanOf(range: IntRange) = Span(range.first, range.last + 1)
 
     private companion object {
-        /** A sketch may write a string as `F("…")`, a macro that keeps it in flash. */
+        /** Matches the macro `F("…")`, which keeps a string of a sketch in flash memory. */
         const val IN_FLASH = "\\s*(?:F\\s*\\(\\s*)?"
         const val NAME = "$IN_FLASH[\"'](\\w+)[\"']\\s*\\)?"
         const val FUNCTION = "(?:\\s*,\\s*[a-zA-Z_]\\w*)?"
@@ -69,7 +70,7 @@ internal class BoardProgram(private val file: ProjectFile) {
         val STRING = Regex("\"([^\"\n]*)\"")
         val DESCRIBED = Regex("\\bdescribe\\s*\\($IN_FLASH\"([^\"\n]*)\"")
 
-        /** In Python, descriptions are the arguments behind the perceiving function. */
+        /** Matches a Python call of `perceive`. The descriptions are the arguments behind the function. */
         val PERCEIVED = Regex("\\bperceive\\s*\\((?:[^()\"]++|\"[^\"\n]*+\")*+")
         val ACT = Regex("\\.act\\s*\\[$NAME\\s*]\\s*=")
         val ON_ACTION = Regex("\\b(?:onAction|on_action)\\s*\\($NAME(?:$FUNCTION$NUMBER\\s*\\))?")

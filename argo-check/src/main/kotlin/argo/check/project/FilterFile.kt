@@ -17,18 +17,18 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 
 /**
- * A file with a filter, in XML or JSON.
+ * A filter file in XML or JSON.
  *
- * @property filter the filter; null: the file is refused
+ * @property filter the filter, or null if the file is refused
  * @property problems the reasons for the refusal
  */
 class FilterFile private constructor(val path: Path, val text: String, val filter: PerceptionFilter?, val problems: List<Problem>) {
-    /** The name by which an agent calls this filter. */
+    /** The filter's name for agents. */
     val name: String get() = path.name.substringBeforeLast('.')
 
     private val lines by lazy { Lines(text) }
 
-    /** Returns the place of the word or the tag at [column] of [line], both counted from 1. */
+    /** Returns the place of the word or tag at [column] of [line]. [line] and [column] count from 1. */
     fun place(line: Int, column: Int = 1): Place {
         val begin = lines.offset(Position(line, column))
         val end = (begin + 1..text.length).find { it == text.length || text[it] in ENDS } ?: begin
@@ -52,16 +52,16 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
         }
 
         /**
-         * Returns true if the file at [path] with this [text], in XML or JSON, is probably a filter. [called]: the names of filters that
-         * programs change to.
+         * Returns true if [text], the content of the file at [path], is probably a filter. [called] contains the names of filters that
+         * programs use.
          */
         internal fun isMeant(path: Path, text: String, called: Set<String>): Boolean =
             path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called ||
                 if (path.extension == "xml") ROOT.matches(text) else hasRules(text)
 
         /**
-         * Returns true if the JSON document [text] has a list with a filter's rule: an object with a predicate. Documents that are no
-         * filters may also have lists of rules.
+         * Returns true if the JSON document [text] has a list with an object that has a predicate. Other documents also have lists named
+         * rules.
          */
         private fun hasRules(text: String): Boolean = try {
             JsonFactory().createParser(text).use { parser ->

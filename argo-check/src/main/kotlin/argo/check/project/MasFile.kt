@@ -9,17 +9,16 @@ import argo.check.syntax.TokenKind
 import argo.check.syntax.programOf
 import java.nio.file.Path
 
-/** An option of an agent in a project file, such as `argo_view=8080`. */
 class AgentOption(val name: Token, val value: Token?)
 
 /**
- * An agent in a project file.
+ * An agent in a Jason project file.
  *
- * @property source the program's path as written, with its ending
+ * @property source the path of the program as written, with its extension
  * @property architectures the names behind `agentArchClass`
- * @property hasOwnClass true if the entry names an agent class or a belief base class. Such a class may select events, options and
- *   intentions differently, or hold other beliefs.
- * @property computers the string behind `at`, which names the computers on which the agent may run; null: there is none
+ * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. The agent may then select events, options
+ * and intentions differently, or hold other beliefs
+ * @property computers the string behind `at` with the names of computers, or null if there is none
  */
 class MasAgent(
     val name: Token,
@@ -37,7 +36,7 @@ class MasAgent(
 
     val isArgo: Boolean get() = architectures.any { it.text == ARCHITECTURE }
 
-    /** The names of the agents that Jason starts from this entry. */
+    /** The names of all agents that Jason starts for this entry. */
     val names: List<String> get() = if (number == 1) listOf(name.text) else (1..number).map { "${name.text}$it" }
 
     companion object {
@@ -52,16 +51,16 @@ class MasAgent(
     }
 }
 
-/** The parts of a project file of Jason, `.mas2j`, that can be read. */
+/** A Jason project file (`.mas2j`). Parts with errors are skipped. */
 class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val environment: Token? = after("environment").firstOrNull()
 
     private val infrastructure: Token? = after("infrastructure").firstOrNull()
 
-    /** True if the project's agents may meet agents of other projects, as on other computers. */
+    /** True if the agents may meet agents of other projects. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
-    /** The fleet of computers on which this project runs; null: there is no fleet. */
+    /** The fleet of computers that runs this project, or null if there is none. */
     val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure"), lines) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
@@ -109,7 +108,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
     private companion object {
-        /** The infrastructures that run on one computer. */
+        /** The infrastructures that use one computer. */
         val LOCAL = setOf("Centralised", "Local")
     }
 }

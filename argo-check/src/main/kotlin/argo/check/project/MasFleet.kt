@@ -20,14 +20,13 @@ class MasFleet internal constructor(tokens: List<Token>, lines: Lines) {
     private val arguments =
         (literalOf(listOf(Token(TokenKind.ATOM, "fleet", tokens.first().span)) + tokens.drop(1), lines) as? Literal)?.arguments.orEmpty()
 
-    /** The names of the fleet's options. */
     val options: List<Name> = arguments.mapNotNull { (it as? Named)?.name }
 
-    /** The names of the fleet's computers; empty if the file does not name the computers. */
+    /** The names of the fleet's computers. Empty if the file names none. */
     val hosts: List<Name> = arguments.filterIsInstance<Literal>().filter { it.functor == "hosts" }
         .flatMap { (it.arguments.firstOrNull() as? ListTerm)?.items.orEmpty() }.mapNotNull(::nameOf)
 
-    /** Returns the name of a computer, which is the first argument of `host("rasp-pi","10.8.0.2")`. */
+    /** Returns the name of a computer, the first argument of `host("rasp-pi","10.8.0.2")`. */
     private fun nameOf(host: Term): Name? = when {
         host is StringTerm -> Name(host.span, host.text)
         host is Literal && host.indicator == "host/2" -> nameOf(host.arguments.first())

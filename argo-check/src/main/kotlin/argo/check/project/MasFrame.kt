@@ -14,7 +14,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     private val current: Token get() = tokens.getOrElse(at) { end }
 
-    /** Returns the first token that Jason's parser refuses in these parts; null: there is none. */
+    /** Returns the first token that Jason's parser refuses in these parts, or null if there is none. */
     fun error(): SyntaxError? {
         take("MAS") { it.text == "MAS" }
         take("the name of the system, in lower case") { it.kind == TokenKind.ATOM }
@@ -37,7 +37,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         take(";")
     }
 
-    /** Reads the program of an agent, a file name. Jason accepts a path before the name only if the path begins with `./` or a root. */
+    /** Reads the file name of an agent's program. Jason accepts a path only if it begins with `./` or a root. */
     private fun source() {
         var last = at
         while (tokens.getOrNull(last + 1)?.let { it.span.start == tokens[last].span.end && !isBehindSource(it) } == true) last++
@@ -48,7 +48,6 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     private fun isBehindSource(token: Token) = token.text in BEHIND_SOURCE || token.text in WORDS
 
-    /** Reads an agent's options, number, class or host. */
     private fun part() = when (current.text) {
         "[" -> skipBracket()
         "#" -> {
@@ -67,7 +66,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun isAtSection() = current.isSymbol("}") ||
         (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
 
-    /** Moves on behind the bracket that closes the current one. Brackets can be nested, since arguments of a class may be classes. */
+    /** Moves behind the matching closing bracket. Brackets can be nested, since class arguments may be classes. */
     private fun skipBracket() {
         var depth = 0
         skipTo {
@@ -93,7 +92,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         const val AGENTS = "agents"
         val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
 
-        /** The words that introduce a class or a host, behind an agent's source. */
+        /** The words that can follow an agent's source and introduce a class or a host. */
         val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
         private val SOURCE = Regex("(?:(?:[A-Za-z]:|\\.)?[/\\\\](?:\\S*[/\\\\])?)?[a-z]\\w*(?:\\.[a-z]\\w*)?")
         private val BEHIND_SOURCE = setOf("[", "#", ";")

@@ -27,11 +27,10 @@ import argo.check.syntax.Trigger
 import argo.check.syntax.Unread
 import argo.check.syntax.Variable
 
-/** Finds the role of each literal in a program. */
 internal class MentionReader {
     private val found = ArrayList<Mention>()
 
-    /** The roles in which the program has a variable in place of a literal: not all literals in these roles are known. */
+    /** The roles in which the program uses a variable as a literal. The literals of these roles are not all known. */
     private val open = HashSet<Role>()
 
     fun read(components: List<Component>): Mentions {
@@ -74,8 +73,7 @@ internal class MentionReader {
     }
 
     /**
-     * Reads an event in braces. The [role] tells whether an action causes the event, as in `.at("now", { +!g })`, or only waits or looks
-     * for it.
+     * Reads an event in braces. [role] depends on the action: some post the event, as in `.at("now", { +!g })`, others only wait for it.
      */
     private fun event(trigger: Trigger, role: Role) {
         val isMade = role == Role.POSTED || role == Role.BELIEVED
@@ -121,7 +119,7 @@ internal class MentionReader {
         }
     }
 
-    /** Reads a formula. Jason looks up the formula's literals among the beliefs. */
+    /** Reads a formula, whose literals are queries of the belief base. */
     private fun formula(term: Term) {
         when {
             term is Operation && (term.isOf("&") || term.isOf("|")) -> term.operands.forEach(::formula)
@@ -174,7 +172,7 @@ internal class MentionReader {
         if (step == null) content(block, Role.EVENT) else mention(Role.EVENT, step.term)
     }
 
-    /** Reads a plan that is an argument, for example because an action searches for plans like it. */
+    /** Reads a plan that serves as a search pattern or another argument. */
     private fun pattern(plan: Plan) {
         event(plan.trigger, Role.DATA)
         rest(plan)
@@ -196,13 +194,13 @@ internal class MentionReader {
     }
 }
 
-/** @property open the roles in which the program has a variable in place of a literal: not all literals in these roles are known */
+/** @property open the roles in which the program uses a variable as a literal. The literals of these roles are not all known */
 class Mentions(val all: List<Mention>, val open: Set<Role>) {
     private val byRole: Map<Role, List<Mention>> = all.groupBy { it.role }
 
     private val inOrder: List<Mention> by lazy { all.sortedBy { it.span.start } }
 
-    /** Returns the mentions that begin within [span] or at its end, in the order of the text. */
+    /** Returns the mentions that begin in [span] or at its end, in the order of the text. */
     internal fun within(span: Span): List<Mention> = inOrder.subList(indexOf(span.start), indexOf(span.end + 1))
 
     private fun indexOf(offset: Int): Int = inOrder.binarySearch { if (it.span.start < offset) -1 else 1 }.inv()

@@ -3,13 +3,13 @@ package argo.check.project
 import java.nio.file.Path
 
 /**
- * A multi-agent system as its files describe it, and the known percepts and actions of its robot.
+ * The files of a multi-agent system, and the known percepts and actions of its robot.
  *
- * @property programs the programs, by their absolute paths
- * @property foreignNames words in files of other languages, which may be names of beliefs, goals and actions
- * @property operations those of [foreignNames] that look like actions or beliefs: strings, and operations of artifacts
- * @property javaActions the internal actions whose classes are in the project, such as `my.act`
- * @property leftOut files that were not read, each with the reason
+ * @property programs the programs, by absolute path
+ * @property foreignNames words in files of other languages that may be names of beliefs, goals or actions
+ * @property operations the part of [foreignNames] that looks like actions or beliefs: strings and artifact operations
+ * @property javaActions the internal actions whose classes the project contains, such as `my.act`
+ * @property leftOut files that could not be read, with the reasons
  * @property projectFiles the project files of Jason, JaCaMo and Gradle
  */
 data class Project(
@@ -29,11 +29,11 @@ data class Project(
 
     private val included: Map<Path, List<Path?>> = programs.mapValues { (path, program) -> program.includes.map { resolve(path, it) } }
 
-    /** Returns this project with [text] in place of the text of the program [path], as for an unsaved change in an editor. */
+    /** Returns a copy of this project in which the program [path] has the text [text]. An editor uses it for unsaved changes. */
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
-    /** Returns this project with [text] in place of the text of the file [path], in XML or JSON. The file need not be a filter. */
+    /** Returns a copy of this project in which the XML or JSON file [path] has the text [text]. The file need not be a filter. */
     fun withFilter(path: Path, text: String): Project {
         val others = filters.filter { it.path != path }
         return when {
@@ -43,15 +43,15 @@ data class Project(
         }
     }
 
-    /** Returns true if the file at [path] with this [text] is a filter, to judge by its folder, its rules or a program's call. */
+    /** Returns true if the file at [path] with this [text] is a filter. Folder, content and the programs' calls decide. */
     private fun isFilter(path: Path, text: String): Boolean =
         FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())
 
-    /** Returns the agents whose program is [path] or includes [path]. */
+    /** Returns the agents that use the program [path] directly or by an include. */
     fun agentsOf(path: Path): List<MasAgent> =
         masFiles.flatMap { mas -> mas.agents.filter { path in closure(sourceOf(mas, it) ?: return@filter false) } }
 
-    /** Returns the path of an agent's program; null: the project does not have that program. */
+    /** Returns the path of an agent's program, or null if the project does not have it. */
     fun sourceOf(mas: MasFile, agent: MasAgent): Path? {
         val folder = mas.path.toAbsolutePath().parent
         val places = listOf(folder) + mas.sourcePaths.map(folder::resolve) + DEFAULT_SOURCES.map(folder::resolve)
@@ -59,7 +59,7 @@ data class Project(
             ?: programs.keys.singleOrNull { it.fileName.toString() == agent.source.substringAfterLast('/') }
     }
 
-    /** Returns the program [path] and all programs that one agent may run together with it. */
+    /** Returns the program [path] and all programs that one agent may use together with it. */
     fun partsOf(path: Path): Parts {
         val roots = programs.keys.filter { path in closure(it) }
         val all = roots.flatMap { closure(it) }.toSet() + path

@@ -8,11 +8,11 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 import java.nio.file.Path
 
-/** A project file of Jason, of JaCaMo (`.jcm`) or of Gradle, or a file of percepts. */
+/** A project file of Jason, JaCaMo (`.jcm`) or Gradle, or a percept file. */
 open class ProjectFile(val path: Path, val text: String) {
     val lines: Lines = Lines(text)
 
-    /** The file's tokens as in AgentSpeak, without comments. */
+    /** The AgentSpeak tokens of the file, without comments. */
     val tokens: List<Token> by lazy { Lexer(text) {}.tokens().filter { it.kind != TokenKind.COMMENT } }
 
     fun place(span: Span): Place = Place(path, lines.position(span.start), lines.position(span.end))

@@ -15,15 +15,15 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
 /**
- * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, and everything below it are one project. All
- * programs outside of such folders are one more project.
+ * Reads the projects below a folder. A folder with a project file (`.mas2j` or `.jcm`) and all its subfolders form one project. All
+ * programs outside such folders form one more project.
  *
- * @param maxFiles the largest number of files in a folder that are read
+ * @param maxFiles the greatest number of files in a folder that are read
  */
 class ProjectReader(private val maxFiles: Int = 20_000) {
     private val leftOut = LinkedHashMap<Path, String>()
 
-    /** Returns the projects in [place], which is a folder, a project file or a program. Each file is in one project. */
+    /** Returns the projects in [place]: a folder, a project file or a program. Each file belongs to one project. */
     fun projectsIn(place: Path): List<Project> {
         val start = place.toAbsolutePath().normalize()
         if (!Files.isDirectory(start)) return listOf(projectOf(start))
@@ -39,7 +39,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
     private fun ownerOf(file: Path, projects: List<Project>): Project =
         projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
-    /** Returns the project of [file]: the nearest folder above it with a project file, or else the folder of [file]. */
+    /** Returns the project of [file]. The project's root is the nearest parent folder with a project file, or else the folder of [file]. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
         val all = projectsIn(rootOf(file) ?: folder)
@@ -47,7 +47,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
             ?: read(folder, listOf(file)).copy(leftOut = leftOut)
     }
 
-    /** Returns the programs directly in [folder] as a project. Reads no folder below, since that may be a whole disk. */
+    /** Returns the programs directly in [folder] as a project. Skips subfolders, since [folder] may be the root of a disk. */
     fun programsIn(folder: Path): Project =
         read(folder, if (Files.isDirectory(folder)) folder.listDirectoryEntries("*.asl").filter { it.isRegularFile() } else emptyList())
 
@@ -64,7 +64,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
                 return if (found.size <= maxFiles) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
-            /** A link to a folder above is skipped without a finding, since the walk reads that folder anyway. */
+            /** Skips a link to a parent folder without a finding, since the walk reads that folder anyway. */
             override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult {
                 if (refused !is FileSystemLoopException && !isOutput(file)) leaveOut(file, "it cannot be read: $refused")
                 return FileVisitResult.CONTINUE
@@ -77,11 +77,11 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
             .map { (original, same) -> if (original in same) original else same.first() }
     }
 
-    /** Returns the path of [file] without links, so that a file that is linked is read once. */
+    /** Returns the real path of [file]. Links to one file then count once. */
     private fun originalOf(file: Path): Path = try {
         file.toRealPath()
     } catch (_: IOException) {
-        file // the file is gone; reading it will report this
+        file // the file is gone; reading it reports the problem
     }
 
     private fun read(root: Path, files: List<Path>): Project {
@@ -105,7 +105,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         )
     }
 
-    /** Returns the program of [agent] if it is outside of the project's folder; null: it is inside, or there is no such file. */
+    /** Returns the program of [agent] if it is outside the project's folder. Returns null if it is inside or missing. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
@@ -129,10 +129,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         STRING.findAll(text).flatMap { string -> WORD.findAll(string.value).map { it.value } }.toList() +
             OPERATION.findAll(text).map { it.groupValues[1] }
 
-    /**
-     * Returns the internal actions of the project's own classes, by their names in a program: `package.name`, or `.name` for Jason's
-     * package.
-     */
+    /** Returns the internal actions of the project's own classes, as programs name them: `package.name`, or `.name` in Jason's package. */
     private fun javaActions(files: List<Path>): Set<String> = files.filter { it.extension == "java" || it.extension == "kt" }.map {
         "${it.parent.name.takeUnless(STDLIB::equals).orEmpty()}.${it.name.substringBeforeLast('.')}"
     }.toSet()
@@ -157,7 +154,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         private const val STDLIB = "stdlib"
         private const val NO_FILE = "it is no regular file"
 
-        /** Emacs locks a file by a link that leads nowhere. The link's name begins like this. */
+        /** The prefix of Emacs's lock links, which have no target. */
         private const val EDITORS_LOCK = ".#"
         private const val MAX_BYTES = 2_000_000L
         private const val MAX_HEIGHT = 5
@@ -168,7 +165,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         private val DOCUMENTS = setOf("xml", "json")
         private val READ = PROJECT_FILES + FOREIGN + DOCUMENTS + setOf("asl", "gradle", "kts", RECORDING)
 
-        /** The beginning of a file of Moise, which names goals of agents. */
+        /** The beginning of a Moise file. Moise files name goals of agents. */
         private const val ORGANISATION = "<organisational-specification"
         private val OUTPUTS = setOf("build", "target", "bin", "node_modules")
         private val WORD = Regex("[a-z]\\w*")
@@ -177,7 +174,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
 
         private fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
-        /** Returns the nearest folder above [file] with a project file; null: no near folder has a project file. */
+        /** Returns the nearest parent folder of [file] with a project file, or null if no near folder has one. */
         fun rootOf(file: Path): Path? =
             generateSequence(file.toAbsolutePath().normalize().parent) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
 

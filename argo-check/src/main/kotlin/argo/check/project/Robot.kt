@@ -8,9 +8,9 @@ import javino.PerceptTerm
 /**
  * The known percepts and actions of a robot. Lists are empty if nothing is known.
  *
- * @property described the kinds of percepts that files describe, with the places of the descriptions
- * @property registered the actions that programs of boards register, with the places in these programs
- * @property unreadable the descriptions of percepts that cannot be read
+ * @property described the percepts that files describe, with the places of the descriptions
+ * @property registered the actions that board programs register, with the places in these programs
+ * @property unreadable the invalid descriptions of percepts
  * @property isComplete false if the robot may have other percepts too
  */
 class Robot(
@@ -21,18 +21,18 @@ class Robot(
     otherActions: List<BoardAction> = emptyList(),
     val isComplete: Boolean = true,
 ) {
-    /** The kinds of percepts of the robot's boards, including those from mappings and recordings. */
+    /** All percepts of the boards, including those of mappings and recordings. */
     val percepts: List<PerceptKind> = (described.map { it.meaning } + otherPercepts).distinct()
 
-    /** The kinds that were only observed, and that no file describes: other values may come. */
+    /** The percepts that were observed but not described. A percept in this set may also have other values. */
     val observed: Set<PerceptKind> =
         described.filter { it.isObserved }.map { it.meaning }.toSet() - described.filterNot { it.isObserved }.map { it.meaning }.toSet()
 
-    /** The actions of the robot's boards, including those from mappings. */
+    /** All actions of the boards, including those of mappings. */
     val actions: List<BoardAction> = registered.map { it.meaning } + otherActions
 }
 
-/** @property arity the number of arguments; null: any */
+/** @property arity the number of arguments, or null if it is not fixed */
 data class BoardAction(val name: String, val arity: Int?) {
     override fun toString(): String = "$name/${arity ?: "*"}"
 
@@ -42,7 +42,7 @@ data class BoardAction(val name: String, val arity: Int?) {
     }
 }
 
-/** Returns the functors and numbers of arguments of the percepts in a board's recording. The kinds allow any values. */
+/** Returns the functors and arities of the percepts in the recording of a board. Each percept allows any values. */
 internal fun recordedKinds(recording: String): List<PerceptKind> {
     val lines = recording.lines().drop(1).map { it.split('\t') }
     val messages = lines.filter { it.size == RECORDED_PARTS && it[1] == "in" }.map { it[2] }.distinct()
@@ -52,6 +52,6 @@ internal fun recordedKinds(recording: String): List<PerceptKind> {
     }
 }
 
-/** The parts of a recorded line: milliseconds, direction and text. */
+/** The number of fields in a recorded line: milliseconds, direction and text. */
 private const val RECORDED_PARTS = 3
 private val NAME = Regex("~?[a-z][A-Za-z0-9_]*")

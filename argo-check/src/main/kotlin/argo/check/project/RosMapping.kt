@@ -5,8 +5,8 @@ import javino.PerceptKind
 import javino.PerceptTerm
 
 /**
- * The percepts and commands in the mapping of a ROS robot, a file `.ros.yaml`. [isComplete] is false if topics also produce the usual
- * percepts of their type: these percepts are not known here.
+ * The percepts and commands of a ROS mapping (`.ros.yaml`). [isComplete] is false if a topic uses the default percepts of its type, which
+ * are not known here.
  */
 internal class RosMapping(text: String) {
     val isComplete: Boolean

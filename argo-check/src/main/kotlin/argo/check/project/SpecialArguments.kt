@@ -2,9 +2,9 @@ package argo.check.project
 
 import argo.check.syntax.Literal
 
-/** Arguments of internal actions that are literals with a role other than [Role.DATA]. */
+/** Finds arguments of internal actions that have another role than [Role.DATA]. */
 internal object SpecialArguments {
-    /** Returns the roles of such arguments of [call], by the index of the argument, counted from 0. */
+    /** Returns the roles of these arguments in [call], by index from 0. */
     fun of(call: Literal): Map<Int, Role> = when (call.functor) {
         ".send" -> contentOf(call, performative = 1)
         ".broadcast" -> contentOf(call, performative = 0)
@@ -16,7 +16,7 @@ internal object SpecialArguments {
         return mapOf(performative + 1 to role)
     }
 
-    /** The role that the content of a message has for the receiver, by performative. */
+    /** The role of a message's content for the receiver, by performative. */
     private val PERFORMATIVES = mapOf(
         "tell" to Role.TOLD, "untell" to Role.DELETED, "achieve" to Role.SENT_GOAL, "unachieve" to Role.SENT_GOAL, "askOne" to Role.ASKED,
         "askAll" to Role.ASKED, "signal" to Role.TOLD,

@@ -3,7 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Finds misspelt actions of the environment: another action of the environment or of the project has nearly the same name. */
+/** Finds environment actions that are probably misspelt, because another action has almost the same name. */
 internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val often = scene.facts.often(Role.ACTION)
@@ -34,10 +34,10 @@ internal object ActionRules : Rule {
         }
     }
 
-    /** Operations of CArtAgO's tuple spaces. They are so short that other names are nearly equal by chance. */
+    /** Operations of CArtAgO's tuple spaces. The names are short, so other names resemble them by chance. */
     private val OF_TUPLE_SPACES = setOf("in", "inp", "out", "rd", "rdp")
 
-    /** Operations of each workspace of CArtAgO and each organisation of Moise. */
+    /** Operations that each CArtAgO workspace and each Moise organisation has. */
     private val OF_ARTIFACTS = setOf(
         "makeArtifact", "lookupArtifact", "disposeArtifact", "focus", "stopFocus", "focusWhenAvailable", "joinWorkspace", "quitWorkspace",
         "createWorkspace",
@@ -48,7 +48,7 @@ internal object ActionRules : Rule {
 
     private val KNOWN = OF_ARTIFACTS + OF_TUPLE_SPACES
 
-    /** Internal actions whose names are also used for actions of environments. */
+    /** Internal actions whose names environments often use for actions. */
     private val KEPT = setOf("print", "println", "send", "wait", "date", "time", "random", "count", "suspend", "resume", "perceive", "at",
         "list", "string")
 }

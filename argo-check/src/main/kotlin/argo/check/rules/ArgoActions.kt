@@ -1,11 +1,9 @@
 package argo.check.rules
 
-/** The names of ARGO's internal actions and of their errors. */
 internal object ArgoActions {
-    /** The names of the actions, without a package or a dot. */
     val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record", "reload")
 
-    /** The names that programs may write without the package, with only a dot in front. */
+    /** The names that programs may write with a leading dot and no package. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
@@ -18,7 +16,7 @@ internal object ArgoActions {
         "bad_filter", "bad_program",
     )
 
-    /** The errors of `.send`, `.broadcast` and `.kill_agent` in a fleet of several computers. */
+    /** The errors of `.send`, `.broadcast` and `.kill_agent` in a fleet. */
     private val FLEET_ERRORS = setOf(
         "no_agent", "unreachable", "overloaded", "not_sendable", "not_readable", "moved", "not_sender", "not_killed", "refused",
     )
@@ -30,8 +28,8 @@ internal object ArgoActions {
     ) + FLEET_ERRORS
 
     /**
-     * Returns the name of the ARGO action that a call such as `.argo.port` means, regardless of case; null: it means no ARGO action. Jason
-     * may not find an action under the name [called]: see [exists].
+     * Returns the ARGO action that a call such as `.argo.port` means, or null if it means none. Ignores case. Jason may still not find
+     * [called]; [exists] tells.
      */
     fun actionIn(called: String): String? {
         val name = called.removePrefix(".")

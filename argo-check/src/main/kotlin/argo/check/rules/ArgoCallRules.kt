@@ -13,7 +13,7 @@ import javino.Frame
 import javino.PerceptsRequest
 import kotlin.math.roundToLong
 
-/** Checks calls of ARGO's internal actions: their arguments, their options, and forms of other versions of ARGO. */
+/** Checks calls of ARGO's internal actions: arguments, options, and syntax of other ARGO versions. */
 internal object ArgoCallRules : Rule {
     val CHECKED = setOf("port", "limit", "percepts", "act", "filter", "change_filter")
 
@@ -120,7 +120,7 @@ internal object ArgoCallRules : Rule {
     private fun portsIn(calls: List<Call>): List<Term> =
         calls.filter { it.action == "port" }.mapNotNull { it.arguments.firstOrNull() }.filter { it !is Variable }
 
-    /** Reports a slow `.limit`: only programs for other versions of ARGO write the dot, and they may mean nanoseconds. */
+    /** Reports a `.limit` with a long interval. Only programs for other ARGO versions write the dot. Such programs may mean nanoseconds. */
     private fun slowLimit(calls: List<Call>, report: Report) {
         val slow = calls.firstOrNull { call ->
             call.action == "limit" && call.name.startsWith(".") &&
@@ -216,7 +216,7 @@ internal object ArgoCallRules : Rule {
         )
     }
 
-    /** Warns of a name that is nearly the error of an action. Other unknown names may come from the project's own `.fail`. */
+    /** Warns of a name that resembles an error of an action. Other unknown errors may come from the project's own `.fail`. */
     private fun error(annotation: Literal, report: Report) {
         val written = (annotation.arguments.single() as? Literal)?.takeIf { it.arity == 0 }?.functor ?: return
         if (written in ArgoActions.ERRORS || written in ArgoActions.JASON_ERRORS) return
@@ -244,7 +244,7 @@ internal object ArgoCallRules : Rule {
     private val BODY_SOURCES = setOf("interoception", "proprioception", "exteroception")
     private val PORT_LIKE = Regex("COM\\d+|[Tt][Tt][Yy]\\w+")
 
-    /** An interval of at least this number is meant in nanoseconds. */
+    /** From this number on, an interval is probably in nanoseconds. */
     private const val MIN_NANOSECONDS = 1_000_000.0
     private const val MIN_SLOW_MS = 200.0
     private const val MS_A_MINUTE = 60_000.0

@@ -5,7 +5,7 @@ import argo.check.syntax.Belief
 import argo.check.syntax.Literal
 import argo.check.syntax.NumberTerm
 
-/** Finds neighbouring arguments that have the reverse order elsewhere in the project: in the same literal, or as the same variables. */
+/** Finds neighbouring arguments in the reverse of the order that the project uses elsewhere, for the literal or for the variables. */
 internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val arguments = scene.facts.arguments
@@ -24,7 +24,7 @@ internal object ArgumentOrderRules : Rule {
         return true
     }
 
-    /** Reports two neighbouring variables that are in the reverse order in several other plans, and hardly ever in this order. */
+    /** Reports two neighbouring variables whose order is the reverse in several other plans and rare in this form. */
     private fun ofVariables(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report) {
         val own = inside.flatMap { it.neighbours }.toSet()
         for ((first, second) in literal.neighbours) {
@@ -42,13 +42,15 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** Returns the number of plans for which a usual order counts, such as X and Y, I and J, X1 and X2; 0 for other orders. */
+    /**
+     * Returns the number of plans that count for a conventional order, such as X and Y, I and J, or X1 and X2. Returns 0 for other orders.
+     */
     private fun usual(first: String, second: String): Int {
         val at = first.indices.filter { first[it] != second.getOrNull(it) }.singleOrNull()
         return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0
     }
 
-    /** Reports swapped arguments: as a warning if [isLikely], else as a hint, since a plan may mean both orders, or look up a string. */
+    /** Reports swapped arguments, as a warning if [isLikely] and otherwise as a hint. A plan may use both orders or search for a string. */
     private fun tell(literal: OpenLiteral, index: Int, isLikely: Boolean, report: Report) = report.add(
         "argument-order", if (isLikely) Level.WARNING else Level.HINT, literal.placeOf(index),
         "arguments ${index + 1} and ${index + 2} of ${literal.mention.literal.indicator} stand the other way round elsewhere in the " +
@@ -56,14 +58,14 @@ internal object ArgumentOrderRules : Rule {
         "the literal does not match the others", "correct their order",
     )
 
-    /** Returns true if the literal is in a rule that makes a relation symmetric, such as `near(A,B) :- near(B,A)`. */
+    /** Returns true if the literal is in a rule that makes a relation symmetric: `near(A,B) :- near(B,A)`. */
     private fun isSymmetric(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>) =
         literal.arguments.size == 2 && isOfHead(literal) && isBothWays(literal, index, inside)
 
     private fun isOfHead(literal: OpenLiteral) =
         ((literal.component as? Belief)?.head as? Literal)?.indicator == literal.mention.literal.indicator
 
-    /** Returns true if [inside], the plan or rule, also has the literal with these variables in the reverse order. */
+    /** Returns true if [inside], the surrounding plan or rule, also has these variables in reverse order. */
     private fun isBothWays(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>): Boolean {
         val (first, second) = literal.arguments.drop(index)
         return first.isVariable && second.isVariable && inside.any { other ->
@@ -84,14 +86,16 @@ internal object ArgumentOrderRules : Rule {
         return misplaced.none { it < 0 } && misplaced.sum() >= ENOUGH
     }
 
-    /** Returns true if one argument is a string in a column of variables, and its neighbour is a variable in a column of strings. */
+    /**
+     * Returns true if one argument is the only string in a column of variables, and its neighbour the only variable in a column of strings.
+     */
     private fun isStringForVariable(literal: OpenLiteral, columns: List<Column>, index: Int): Boolean {
         val (text, variable) = listOf(index, index + 1).sortedByDescending { literal.arguments[it].isString }
         return literal.arguments[text].isString && literal.arguments[variable].isVariable &&
             columns[text].isOfVariablesButOne && columns[variable].isOfStringsButOne
     }
 
-    /** Returns true if several atoms in the column [there] are numbered like [argument], and no other atom in the column [here] is. */
+    /** Returns true if [argument] is numbered like several atoms in the column [there], and is the only such atom in the column [here]. */
     private fun isNumberedLike(argument: Argument, here: Column, there: Column): Boolean {
         val stem = argument.stem ?: return false
         return here.stemsLike(stem) == 1 && there.stemsLike(stem) >= MIN_PLANS
@@ -99,7 +103,8 @@ internal object ArgumentOrderRules : Rule {
 
     /**
      * Returns how strongly other literals suggest that [argument], in the column [here], belongs in the column [there] of its [neighbour].
-     * Negative: [argument] is in its place. If both columns have numbers, an equal number suggests nothing: `sum(1,2)`, `sum(2,N)`.
+     * A negative result means that [argument] is in the right column. If both columns contain numbers, an equal number suggests nothing:
+     * `sum(1,2)`, `sum(2,N)`.
      */
     private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
         val sign = argument.sign ?: return 0
@@ -118,7 +123,7 @@ internal object ArgumentOrderRules : Rule {
         return if (here.kindsLike(kind, argument) > 0) AGAINST else if (there.kindsLike(kind, neighbour) > 0) ALIKE else 0
     }
 
-    /** An argument is misplaced only if it is found so many times as often in the other column. */
+    /** An argument counts as misplaced if the other column has it at least this many times as often. */
     private const val MANY = 5
     private const val MAX = 1_000_000
     private const val AGAINST = -10
@@ -126,6 +131,6 @@ internal object ArgumentOrderRules : Rule {
     private const val ALIKE = 1
     private const val ENOUGH = 2
 
-    /** An order is usual if so many other plans have it. */
+    /** An order counts as usual if at least this many other plans have it. */
     private const val MIN_PLANS = 2
 }

@@ -17,8 +17,8 @@ import argo.check.syntax.Variable
 /**
  * An argument of a literal.
  *
- * @property sign one word by which equal arguments are recognised, such as a variable's name; null: there is none
- * @property kind the argument's kind, such as `number`; null: not known
+ * @property sign a word that identifies equal arguments, such as a variable's name, or null if there is none
+ * @property kind the argument's kind, such as `number`, or null if it is not known
  */
 internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     val isVariable: Boolean = term is Variable
@@ -34,16 +34,16 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
         else -> kind
     }
 
-    /** True if the sign is the name of a variable, and so short that equal names mean little. */
+    /** True for a variable with a short name. Equal short names mean little. */
     val isShort: Boolean = (isVariable || term is Operation && calculated(term) != null) && sign.orEmpty().length < LONG
 
-    /** Returns the variable with which [term] calculates, as `X` in `X - 1`; null: there is none, or there are several. */
+    /** Returns the only variable in the calculation [term], such as `X` in `X - 1`. Returns null without one or with several. */
     private fun calculated(term: Operation): String? =
         if (term.isArithmetic) term.operands.filterIsInstance<Variable>().singleOrNull()?.name?.text else null
 
     val isString: Boolean = term is StringTerm
 
-    /** The letters of a numbered atom, such as `post` of `post5`; null: the term is no numbered atom. */
+    /** The letters of a numbered atom, such as `post` in `post5`, or null for other terms. */
     val stem: String? = (term as? Literal)?.takeIf { it.arity == 0 }?.let { NUMBERED.matchEntire(it.functor) }?.groupValues?.get(1)
 
     private fun kindOf(term: Term): String? = when (term) {
@@ -61,19 +61,17 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     }
 }
 
-/** A literal whose arguments are the project's choice, not fixed by Jason or ARGO, with the plan, rule or belief that contains it. */
+/** A literal whose arguments the project defines, not Jason or ARGO. [component] is the plan, rule or belief around it. */
 internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
     val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
 
-    /** The pairs of neighbouring arguments that are variables with different names. */
     val neighbours: List<Pair<String, String>> get() = arguments.zipWithNext().filter { (a, b) -> a.isVariable && b.isVariable }
         .mapNotNull { (a, b) -> a.sign?.let { first -> b.sign?.let { first to it } } }.filter { (first, second) -> first != second }
 
-    /** Returns the span of the argument at [index] and of the one behind it. */
     fun placeOf(index: Int): Span = arguments[index].term.span + arguments[index + 1].term.span
 }
 
-/** Counts the signs, kinds and stems of all arguments at one index of a literal. */
+/** Statistics of all arguments at one position of a literal. */
 internal class Column {
     private val signs = HashMap<String, Int>()
     private val kinds = HashMap<String, Int>()
@@ -91,23 +89,22 @@ internal class Column {
         argument.kind?.let { kinds.merge(it, 1, Int::plus) }
     }
 
-    /** Returns how many arguments of this column other than [own] have [sign]. */
+    /** Returns the number of arguments with [sign] in this column, without [own]. */
     fun signsLike(sign: String, own: Argument): Int = signs.getOrDefault(sign, 0) - if (own.sign == sign) 1 else 0
 
-    /** Returns how many arguments are numbered atoms with the letters [stem]. */
+    /** Returns the number of numbered atoms with the letters [stem]. */
     fun stemsLike(stem: String): Int = stems.getOrDefault(stem, 0)
 
-    /** True if all arguments but one are variables. */
+    /** True if exactly one argument is no variable. */
     val isOfVariablesButOne: Boolean get() = size > 1 && variables == size - 1
 
-    /** True if all arguments but one are strings. */
+    /** True if exactly one argument is no string. */
     val isOfStringsButOne: Boolean get() = size > 1 && strings == size - 1
 
-    /** Returns how many arguments of this column other than [own] are of [kind]. */
+    /** Returns the number of arguments of [kind] in this column, without [own]. */
     fun kindsLike(kind: String, own: Argument): Int = kinds.getOrDefault(kind, 0) - if (own.kind == kind) 1 else 0
 }
 
-/** The arguments of all literals in [programs]. */
 internal class Arguments(programs: Collection<AgentProgram>) {
     private val columns = HashMap<String, List<Column>>()
     private val pairs = HashMap<Pair<String, String>, Int>()
@@ -120,13 +117,13 @@ internal class Arguments(programs: Collection<AgentProgram>) {
         }
     }
 
-    /** Returns the open literals of [program], in one list for each plan, rule and belief. */
+    /** Returns the open literals of [program], one list for each plan, rule or belief. */
     fun of(program: AgentProgram): List<List<OpenLiteral>> = literals[program] ?: literalsIn(program)
 
     fun columnsOf(literal: OpenLiteral): List<Column> =
         columns.getOrPut(literal.mention.literal.indicator) { List(literal.arguments.size) { Column() } }
 
-    /** Returns the number of plans, rules and beliefs in which the variables of [pair] are neighbours in this order. */
+    /** Returns the number of plans, rules and beliefs with these neighbouring variables in this order. */
     fun often(pair: Pair<String, String>): Int = pairs.getOrDefault(pair, 0)
 
     private fun literalsIn(program: AgentProgram): List<List<OpenLiteral>> = program.program.components.map { component ->

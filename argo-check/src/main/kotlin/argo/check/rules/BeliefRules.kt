@@ -3,7 +3,9 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Finds beliefs that are read but never added, or added but never read. A slip in the name or in the arguments may be the cause. */
+/**
+ * Finds beliefs that are read but never added, or added but never read. A misspelt name or a wrong number of arguments may be the cause.
+ */
 internal object BeliefRules : Rule {
     private val READS = arrayOf(Role.READ, Role.EVENT, Role.DELETED, Role.ASKED)
     private val SOURCES = arrayOf(Role.BELIEVED, Role.TOLD)

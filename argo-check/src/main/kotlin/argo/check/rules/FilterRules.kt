@@ -14,7 +14,7 @@ import argo.filters.matching.matcher
 import argo.filters.matching.warnings
 import argo.filters.Rule as FilterRule
 
-/** Checks filter files, their reflexes, and the filters to which agents change. */
+/** Checks filter files, their reflexes, and the filters that agents select. */
 internal object FilterRules : Rule {
     fun check(project: Project): List<Finding> {
         val isForOtherVersion = project.programs.isEmpty() || project.programs.values.any { program ->
@@ -63,7 +63,7 @@ internal object FilterRules : Rule {
         val own = scene.program.mentions[Role.INTERNAL].toSet()
         calls.filter { it in own }.forEach { missing(it, scene, report) }
         val used = calls.map { call -> nameIn(call)?.let { name -> scene.project.filters.find { it.isCalled(name) }?.filter } }
-        if (used.isEmpty() || null in used) return // a filter is unknown, or at times no filter is active
+        if (used.isEmpty() || null in used) return // a filter is unknown, or sometimes no filter is active
         dropped(scene, used.filterNotNull().distinct(), report)
     }
 
@@ -87,7 +87,7 @@ internal object FilterRules : Rule {
 
     private fun FilterFile.isCalled(written: String) = written.substringAfterLast('/').let { it == name || it == "${path.fileName}" }
 
-    /** Reports literals that a plan waits for or reads, although all [filters] of the agent drop them. */
+    /** Reports literals that a plan awaits or reads although all [filters] of the agent drop them. */
     private fun dropped(scene: Scene, filters: List<PerceptionFilter>, report: Report) {
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + Scene.OF_ARGO + setOf("true", "false")
         for (mention in scene.program.mentions[Role.EVENT] + scene.program.mentions[Role.READ]) {

@@ -4,7 +4,6 @@ import argo.check.project.MasAgent
 import argo.check.project.MasFile
 import argo.check.project.MasFleet
 
-/** Checks the computers of a fleet in a project file, and the agents on these computers. */
 internal object FleetRules {
     private const val RULE = "fleet"
     private const val REFUSED = "the fleet refuses the project"
@@ -51,7 +50,7 @@ internal object FleetRules {
         }
     }
 
-    /** Warns if [agent], whose program uses boards, moves to another computer when its own fails. */
+    /** Warns if [agent] uses boards and moves to another computer when its own computer fails. */
     fun board(file: MasFile, agent: MasAgent, report: Report) {
         val at = agent.computers?.takeIf { file.fleet != null && computersOf(agent).size > 1 } ?: return
         report.warning(RULE, at.span, "agent ${agent.name} uses boards, and runs on another computer when its own goes",

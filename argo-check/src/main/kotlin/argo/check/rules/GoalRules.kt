@@ -3,7 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Finds goals that no plan handles, and plans for goals that nothing posts. */
+/** Finds goals without a plan, and plans for goals that nothing posts. */
 internal object GoalRules : Rule {
     override fun check(scene: Scene, report: Report) {
         withoutPlan(scene, report)
@@ -74,13 +74,13 @@ internal object GoalRules : Rule {
         }
     }
 
-    /** A goal of [OF_JASON]. The order of its arguments does not matter. */
+    /** A goal of [OF_JASON] whose arguments may have any order. */
     const val SYMMETRIC = "assert_equals"
 
-    /** Goals of the test plans in Jason's jar that agents may include. */
+    /** Goals of the test plans in Jason's jar. */
     val OF_JASON = setOf(SYMMETRIC, "assert_true", "assert_false", "assert_contains", "force_pass", "force_failure")
 
-    /** Goals that often come from outside of the project. */
+    /** Goals that usually come from outside the project. */
     private val USUAL = setOf("start", "kqml_received")
 
     fun aritiesIn(mentions: List<Mention>): Map<String, List<Int>> =

@@ -14,11 +14,11 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /**
- * Finds arguments that need a value. All plans for the goal, or all rules for the literal, compare such an argument, calculate with it, or
- * require a list there.
+ * Finds arguments that need a value. An argument needs a value if all plans for the goal, or all rules for the literal, compare it,
+ * calculate with it or require a list.
  *
  * @param clauses the plans, beliefs and rules of a project
- * @param believed how often each literal is added as a belief, told, or the head of a rule, by the literal's indicator
+ * @param believed for each indicator of a literal, the number of its additions, tells and rule heads
  */
 internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
     private val ofGoals = common(
@@ -47,14 +47,16 @@ internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
         indicesOf(head) { it is Variable && it.name.text in compared }
     }.reduce(Set<Int>::intersect)
 
-    /** Returns the argument that is always a list; none if several are, since a plan may make one list from another. */
+    /**
+     * Returns the argument that is a list in all plans. Returns nothing if there are several, since a plan may make one list from another.
+     */
     private fun listOf(same: List<Pair<Literal, Term?>>): Set<Int> =
         same.map { (head, _) -> indicesOf(head) { it is ListTerm } }.reduce(Set<Int>::intersect).takeIf { it.size == 1 }.orEmpty()
 
     private fun indicesOf(head: Literal, isWanted: (Term) -> Boolean): Set<Int> =
         head.arguments.indices.filter { isWanted(head.arguments[it]) }.toSet()
 
-    /** Returns the variables that [condition] compares or calculates with before one of its parts gives them a value. */
+    /** Returns the variables that [condition] compares or calculates with before they have a value. */
     private fun comparedIn(condition: Term): Set<String> {
         val bound = HashSet<String>()
         val compared = HashSet<String>()

@@ -2,18 +2,18 @@ package argo.check.rules
 
 import argo.check.syntax.Literal
 
-/** The names of Jason's and ARGO's internal actions, as programs write them: `.print`, `argo.act`. */
+/** The names of Jason's and ARGO's internal actions as programs write them, such as `.print` and `argo.act`. */
 val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 
 /**
- * The name and the arguments of an internal action.
+ * An internal action and its arguments.
  *
  * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
  * term in braces, `p` a performative, `v` a variable, `a` an atom, `b` begin or end, `d` no formula, `_` anything
  * @property inputs the indices, counted from 0, of the arguments that must have a value
  */
 internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val inputs: Set<Int>, val since: String?) {
-    /** The numbers of arguments in words, such as `3 to 5 arguments`. */
+    /** The accepted numbers of arguments in words, such as `3 to 5 arguments`. */
     val takes: String get() = when {
         arities.last == Int.MAX_VALUE -> "${arities.first} arguments or more"
         arities.first == arities.last -> if (arities.first == 1) "1 argument" else "${arities.first} arguments"
@@ -21,21 +21,20 @@ internal class InternalAction(val name: String, val arities: IntRange, val kinds
     }
 
     companion object {
-        /** Jason's and ARGO's internal actions, by their names in a program. */
         val ALL: Map<String, InternalAction> by lazy {
             val text = InternalAction::class.java.getResource("internal-actions.txt")!!.readText()
             text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map(::parse).associateBy { it.name }
         }
 
-        /** Operations of CArtAgO, the environment of JaCaMo, in which strings name artifacts and Java classes. */
+        /** CArtAgO operations in which strings name artifacts and Java classes. */
         private val OPERATIONS: Map<String, InternalAction> =
             listOf("makeArtifact 2 4 S s", "lookupArtifact 2 2 S v").map(::parse).associateBy { it.name }
 
-        /** Returns the internal action or CArtAgO operation that [call] calls; null: [call] is something else. */
+        /** Returns the internal action or CArtAgO operation of [call], or null if it is another call. */
         fun of(call: Literal): InternalAction? =
             if (call.isInternal) ALL[call.functor] else OPERATIONS[call.functor]?.takeIf { call.arity in it.arities }
 
-        /** Jason's functions, whose values are numbers. */
+        /** Jason's arithmetic functions. */
         val FUNCTIONS = setOf(
             "math.abs", "math.acos", "math.asin", "math.atan", "math.average", "math.ceil", "math.cos", "math.e", "math.floor", "math.log",
             "math.max", "math.mean", "math.median", "math.min", "math.pi", "math.random", "math.round", "math.sin", "math.sqrt",

@@ -13,7 +13,7 @@ import argo.check.syntax.StringTerm
 import argo.check.syntax.Term
 import argo.check.syntax.Variable
 
-/** Finds calls of internal actions that do not exist or that take other arguments. */
+/** Finds calls of internal actions that do not exist or have other arguments. */
 internal object InternalActionRules : Rule {
     private val PERFORMATIVES = setOf(
         "tell", "untell", "achieve", "unachieve", "askOne", "askAll", "askHow", "tellHow", "untellHow", "signal", "untellAll", "ask",
@@ -48,7 +48,7 @@ internal object InternalActionRules : Rule {
         )
     }
 
-    /** Checks an action with a package. Only the project's own classes are known, not those of libraries. */
+    /** Checks an action with a package. The project's own classes are known, but not those of libraries. */
     private fun foreign(call: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
         if (call.functor in scene.project.javaActions || ArgoActions.actionIn(call.functor) != null) return
         val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + InternalAction.FUNCTIONS +
@@ -96,7 +96,7 @@ internal object InternalActionRules : Rule {
 
     private fun isTypeName(text: String) = '.' in text || text.firstOrNull()?.isUpperCase() == true
 
-    /** Reports an empty `.range`, which begins above its end. */
+    /** Reports a `.range` whose start is greater than its end. */
     private fun emptyRange(call: Mention, report: Report) {
         if (call.functor != ".range" || call.arity != RANGE_WITHOUT_STEP) return
         val (from, to) = call.literal.arguments.drop(1).map { it as? NumberTerm ?: return }
@@ -148,7 +148,7 @@ internal object InternalActionRules : Rule {
         report.warning("receiver", receiver.span, what, "the plan fails there", remedy)
     }
 
-    /** Returns false if [argument] cannot be of [kind]. A term that Jason may evaluate to another term can be of every kind. */
+    /** Returns false if [argument] cannot be of [kind]. A term that Jason may evaluate can be of every kind. */
     private fun mayBe(kind: Char, argument: Term): Boolean = (kind in OF_FORMULAS || !isFormula(argument)) && when (kind) {
         'l' -> !isNumber(argument) && argument !is StringTerm && argument !is Block && !isAtom(argument) && !isStructure(argument)
         'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument) && !isStructure(argument)
@@ -192,7 +192,6 @@ internal object InternalActionRules : Rule {
 
     private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
 
-    /** The kinds of arguments that may be formulas of several literals. */
     private const val OF_FORMULAS = "ft_"
     private val PLACES = setOf("begin/0", "end/0")
     private const val MAX_TEXT = 40

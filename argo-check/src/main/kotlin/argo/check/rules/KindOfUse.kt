@@ -11,10 +11,10 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /**
- * A place that requires a variable to be of a certain kind.
+ * A use that requires a variable to be of a certain kind.
  *
  * @property kind one of [InternalAction.kinds]: `l` a list, `n` a number, `s` a string, `e` a list or a string, `a` an atom
- * @property call the internal action of which the variable is an argument; null: it is no such argument
+ * @property call the internal action with the variable as argument, or null for another use
  */
 internal class KindOfUse(val variable: String, val kind: Char, val term: Term, val call: Literal?) {
     companion object {
@@ -24,7 +24,6 @@ internal class KindOfUse(val variable: String, val kind: Char, val term: Term, v
         private const val ATOM = 'a'
         private val KINDS = setOf(LIST, NUMBER, STRING, ATOM, 'e')
 
-        /** Returns the uses in [component], a plan or a rule; variables of other components are other variables. */
         fun within(component: Node): Sequence<KindOfUse> = component.withDescendants().flatMap(::at)
 
         private fun at(node: Node): List<KindOfUse> = when {

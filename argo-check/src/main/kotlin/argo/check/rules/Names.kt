@@ -10,9 +10,9 @@ internal class Names(names: Collection<String>) {
     }
 
     /**
-     * Returns the name that [written] probably means, written with a slip: one letter is missing, added or different, or two neighbouring
-     * letters are swapped. A long name may have two slips. `pos1` and `pos2`, or `OldX` and `OldY`, are different names. So are names with
-     * different first letters, such as `winner` and `inner`, unless the first two letters are swapped.
+     * Returns the name that [written] probably means. One letter may be missing, extra or wrong, or two neighbouring letters may be
+     * swapped. A long name may have two such errors. `pos1` and `pos2` count as different names, and so do `OldX` and `OldY`. Names with
+     * different first letters, such as `winner` and `inner`, also count as different. An exception is a swap of the first two letters.
      */
     fun near(written: String): String? {
         val name = Name(written)
@@ -21,7 +21,7 @@ internal class Names(names: Collection<String>) {
             .map { it.text }.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
     }
 
-    /** Returns the names of [length] letters that have a part in common with [written]. */
+    /** Returns the names of [length] letters that share a part with [written]. */
     private fun candidates(written: String, length: Int): List<Name> = partsOf(length).flatMap { part ->
         (part.first - 1..part.first + 1).flatMap { from ->
             val end = from + part.last + 1 - part.first
@@ -29,16 +29,16 @@ internal class Names(names: Collection<String>) {
         }
     }
 
-    /** Divides a name into parts, so many that slips leave one part unchanged. A slip may change two parts. */
+    /** Divides a name into enough parts that typing errors leave one part unchanged. One error may change two parts. */
     private fun partsOf(length: Int): List<IntRange> {
         val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
         return (0 until number).map { it * length / number until (it + 1) * length / number }
     }
 
-    /** The part [text] that begins at [start] in a name of [length] letters. */
+    /** The part [text] at index [start] in a name of [length] letters. */
     private data class Part(val length: Int, val start: Int, val text: String)
 
-    /** A name with its set of letters, which quickly excludes most other names. */
+    /** A name and its set of letters. The set quickly excludes most other names. */
     private class Name(val text: String) {
         private val letters = text.fold(0L) { set, letter -> set or (1L shl letter.code) }
         private val withoutDigits = text.filterNot(Char::isDigit)
@@ -58,13 +58,15 @@ private fun isNear(a: String, b: String): Boolean {
     return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
-/** Returns true if the first letters are equal, or the first two are swapped. The dot in front of an internal action is no letter. */
+/** Returns true if the first letters are equal or the first two letters are swapped. Ignores the dot of an internal action. */
 private fun beginAlike(a: String, b: String): Boolean {
     val (one, other) = a.trimStart('.') to b.trimStart('.')
     return one.firstOrNull() == other.firstOrNull() || one.take(2) == other.take(2).reversed()
 }
 
-/** Returns true if the names differ only in a word of one letter, like `OldX` and `OldY`: they name two things of one kind. */
+/**
+ * Returns true if the names differ only in a one-letter word, like `OldX` and `OldY`. `OldX` and `OldY` belong to two things of one kind.
+ */
 private fun areVariants(a: String, b: String): Boolean {
     val at = a.indices.filter { it < b.length && a[it] != b[it] }.singleOrNull() ?: return false
     return a.length == b.length && isPart(a, at) && isPart(b, at)
@@ -76,8 +78,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to turn [a] into [b]. A result above 2 only
- * means that it is more than 2.
+ * Returns the number of letters to add, remove, replace or swap with a neighbour that turns [a] into [b]. A result above 2 only means that
+ * the number is greater than 2.
  */
 fun editDistance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length
@@ -95,14 +97,14 @@ private fun distanceWithin(a: String, b: String): Int {
             next[j + 1] = minOf(row[j] + if (a[i] == b[j]) 0 else 1, row[j + 1] + 1, next[j] + 1)
             if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j]) next[j + 1] = minOf(next[j + 1], before[j - 1] + 1)
         }
-        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // a swap of letters adds 1 to a value of `before`
+        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // swapping letters adds 1 to a value of `before`
         before = row
         row = next
     }
     return row[b.length]
 }
 
-/** Two replaced letters change at most this many members of a set of letters. */
+/** Two replaced letters change at most this many elements of the letter sets. */
 private const val MOST_OTHER_LETTERS = 4
 private const val MIN_LENGTH = 2
 private const val LONG = 10

@@ -11,8 +11,8 @@ import argo.check.syntax.Variable
 /**
  * An option in a list, such as `baud(9600)` or `urgent`.
  *
- * @property expected the option's value, in words; null: the option has no value
- * @property accepts returns true if a text is a valid value; not called for variables
+ * @property expected the option's value in words, or null if the option has no value
+ * @property accepts returns true for a valid value; not called for variables
  */
 internal class KnownOption(val expected: String?, val accepts: (String) -> Boolean) {
     companion object {
@@ -52,7 +52,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             },
         )
 
-        /** The option that fleets read, even for agents without the architecture `argo.Arch`. */
+        /** The option for fleets. Agents without the architecture `argo.Arch` may have it, too. */
         const val OF_FLEET = "argo_fleet"
 
         private fun isLiteral(value: String) = Regex("""\s*[a-z]\w*\s*(\(.+\)\s*)?""").matches(value)

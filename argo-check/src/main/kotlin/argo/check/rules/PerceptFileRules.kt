@@ -6,7 +6,6 @@ import argo.check.findings.Place
 import argo.check.project.Project
 import argo.check.syntax.Position
 
-/** Reports lines in files of percepts that describe no percept, and files that were not read. */
 internal object PerceptFileRules {
     fun check(project: Project): List<Finding> = lines(project) + project.leftOut.map { (file, why) ->
         Finding("left-out", Level.WARNING, Place(file, Position(1, 1), Position(1, 1)), "this is not checked: $why",

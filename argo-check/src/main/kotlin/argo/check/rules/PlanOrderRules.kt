@@ -6,7 +6,7 @@ import argo.check.syntax.Literal
 import argo.check.syntax.Plan
 import argo.check.syntax.Variable
 
-/** Finds plans that are never used because an earlier plan for the same event always applies. */
+/** Finds plans that never run because an earlier plan for the event always applies. */
 internal object PlanOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.any { it.hasOwnClass }) return
@@ -39,6 +39,6 @@ internal object PlanOrderRules : Rule {
         return isAnyEvent && isAnyContext && plan.goalCondition == null && !hasAnnotations(plan.label?.annotations)
     }
 
-    /** Returns true if there are annotations other than `atomic`, which may change the order of plans. */
+    /** Returns true if there is an annotation other than `atomic`. Annotations other than `atomic` may change the order of plans. */
     private fun hasAnnotations(annotations: ListTerm?) = annotations?.items.orEmpty().any { (it as? Literal)?.functor != "atomic" }
 }

@@ -10,7 +10,6 @@ import argo.check.project.Role
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** Checks the architectures, options and programs of agents in project files. */
 internal object ProjectFileRules {
     private const val ARCHITECTURE = MasAgent.ARCHITECTURE
     private val INFRASTRUCTURES = setOf("Local", "Jade", "Fleet")
@@ -39,7 +38,7 @@ internal object ProjectFileRules {
         val isNamed = tokens[at].text == "agentArchClass" || words(tokens, at - 3, "ag", "-", "arch", ":")
         val token = tokens.getOrNull(at + 1)?.takeIf { isNamed } ?: return
         val rest = tokens.getOrNull(at + 2)?.takeIf { it.span.start == token.span.end && it.text.startsWith('.') }?.text
-        val name = token.text + rest.orEmpty() // to the lexer a name in upper case is a variable that ends at the dot
+        val name = token.text + rest.orEmpty() // the lexer reads an upper-case name as a variable that ends at the dot
         val why = "the agent does not start"
         when {
             name == ARCHITECTURE -> {}
@@ -54,10 +53,7 @@ internal object ProjectFileRules {
         }
     }
 
-    /**
-     * Reports a jar of another version of ARGO. Both versions have classes of the same names, and Java uses those of the first jar on the
-     * class path.
-     */
+    /** Reports a jar of another ARGO version. Java uses the first jar on the class path, and both have classes of equal names. */
     private fun otherArgo(token: Token, report: Report) {
         if (token.kind != TokenKind.STRING && !token.text.startsWith('\'') || !OTHER_ARGO.containsMatchIn(token.text)) return
         report.error(
@@ -106,7 +102,7 @@ internal object ProjectFileRules {
         }
     }
 
-    /** Checks the options of agents in a file of JaCaMo, which have another form. */
+    /** Checks agent options in a JaCaMo file. The options of JaCaMo have another syntax. */
     private fun options(tokens: List<Token>, report: Report) = tokens.indices
         .filter { tokens.getOrNull(it + 1)?.let { next -> next.isSymbol("=") || next.isSymbol(":") } == true }
         .forEach { option(AgentOption(tokens[it], tokens.getOrNull(it + 2)), report) }

@@ -17,7 +17,7 @@ import javino.PerceptArgument
 import javino.PerceptKind
 import javino.PerceptTerm
 
-/** Finds percepts and values that the robot does not have, and commands that its boards do not know. */
+/** Finds percepts and values that the robot does not have, and commands that its boards do not accept. */
 internal object RobotRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.isNotEmpty() && scene.agents.none { it.isArgo }) return
@@ -38,7 +38,6 @@ internal object RobotRules : Rule {
         if (scene.project.robot.isComplete && !hasEnvironment && scene.agents.any { it.isArgo }) unknown(scene, kinds.keys, own, report)
     }
 
-    /** Reports beliefs that no board, plan or message of the project produces. */
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.functor }.toSet()
         val names = Names(kinds + own)
@@ -76,7 +75,10 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** Reports comparisons that are always or never true in a range: if L is in `0..100`, `light(_,L) & L > 100` is never true. */
+    /**
+     * Reports comparisons that are always true or always false in the known range. With L in `0..100`, `light(_,L) & L > 100` is always
+     * false.
+     */
     private fun comparisons(component: Node, ranges: Ranges, report: Report) {
         if (ranges.isEmpty()) return
         component.withDescendants().filterIsInstance<Operation>().filter { it.operators.size == 1 }.forEach { comparison ->
@@ -95,7 +97,7 @@ internal object RobotRules : Rule {
         report.add("percept-range", if (outcome) Level.HINT else level, comparison.span, what, why, "compare with a number in the range")
     }
 
-    /** Returns the result that the comparison always has; null: the result depends on the value. */
+    /** Returns the constant result of the comparison, or null if the result depends on the value. */
     private fun outcome(variable: Term, operator: String, bound: Term, ranges: Ranges): Boolean? {
         val range = ranges[(variable as? Variable)?.name?.text]?.range ?: return null
         val number = valueOf(bound)?.toBigDecimalOrNull() ?: return null
@@ -111,7 +113,7 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** Checks commands. A plan that calls `argo.can(Action)` may send that action, since it is also for boards without the action. */
+    /** Checks commands. A plan that calls `argo.can(Action)` may send an action that some boards lack. */
     private fun commands(component: Node, scene: Scene, report: Report) {
         val calls = scene.program.mentions.within(component.span).filter { it.role == Role.INTERNAL }
         val asked = calls.filter { ArgoActions.actionIn(it.functor) == "can" }.mapNotNull { it.literal.arguments.firstOrNull() }
@@ -151,7 +153,7 @@ internal object RobotRules : Rule {
         it.functor() == action.name && (action.arity == null || action.arity == it.arguments().size)
     }
 
-    /** Returns the text that a board gets for [command]; null if [command] contains variables or structures. */
+    /** Returns the text that a board gets for [command], or null if [command] has variables or structures. */
     fun textOf(command: Term): String? = when {
         command is StringTerm -> if ('\\' in command.text) null else command.text
         command !is Literal || command.isInternal || command.annotations != null -> null
@@ -159,7 +161,7 @@ internal object RobotRules : Rule {
         else -> command.arguments.map { valueOf(it) ?: return null }.joinToString(",", "${command.functor}(", ")")
     }
 
-    /** Returns the text that the constant [term] has in percepts; null: [term] is no constant. */
+    /** Returns the text of the constant [term] in percepts, or null for other terms. */
     fun valueOf(term: Term): String? = when (term) {
         is NumberTerm -> term.text
         is Literal -> term.functor.takeIf { term.arity == 0 && !term.isInternal }
@@ -173,8 +175,7 @@ internal object RobotRules : Rule {
     private const val WHY = "it is never true, and causes no event"
 }
 
-/** @property level the level of findings about values outside of the range */
+/** @property level the level of findings about values outside the range */
 private data class KnownRange(val range: PerceptArgument.Quantity, val level: Level)
 
-/** The ranges of a plan's variables. */
 private typealias Ranges = HashMap<String, KnownRange>

@@ -6,12 +6,12 @@ import argo.check.findings.Place
 import argo.check.project.Mention
 import argo.check.syntax.Span
 
-/** Finds the errors of one kind in one program. A rule has no state, so that it can check several texts. */
+/** Finds the errors of one kind in one program. A rule has no state. One instance can check many texts. */
 internal fun interface Rule {
     fun check(scene: Scene, report: Report)
 }
 
-/** Collects the findings in one file. [place] returns the place of a span. */
+/** Collects the findings in one file. [place] converts a span to a place. */
 internal class Report(private val place: (Span) -> Place) {
     private val collected = ArrayList<Finding>()
 
@@ -23,7 +23,7 @@ internal class Report(private val place: (Span) -> Place) {
 
     fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
 
-    /** Warns of [mentions] whose functor is unknown in the project, and nearly one of [known]. */
+    /** Warns of [mentions] with an unknown functor that resembles one of [known]. */
     fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
         val names = Names(known)
         for (mention in mentions) {

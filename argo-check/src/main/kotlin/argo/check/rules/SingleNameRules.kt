@@ -2,7 +2,6 @@ package argo.check.rules
 
 import argo.check.project.Role
 
-/** Finds names that the project mentions once and that nearly equal another of its names, in any role. Runs after the other rules. */
 internal object SingleNameRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val told = report.findings.map { it.place.begin }.toSet()

@@ -17,7 +17,7 @@ internal object SyntaxRules : Rule {
         }
     }
 
-    /** The decoder replaces bytes that are not UTF-8 by this character. */
+    /** The decoder replaces invalid UTF-8 with this character. */
     private const val REPLACEMENT = '\uFFFD'
     private const val MOST = 20
 }

@@ -5,7 +5,7 @@ import argo.check.syntax.Literal
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Finds variables that a plan uses as terms of two kinds: for example, as the list of an internal action, and elsewhere as a number. */
+/** Finds variables that a plan uses as terms of two kinds, for example as a list and as a number. */
 internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
         val uses = KindOfUse.within(component).filter { it.kind in WORDS }.toList().groupBy { it.variable }
@@ -14,7 +14,7 @@ internal object VariableKindRules : Rule {
         component.withDescendants().filterIsInstance<Literal>().filter { it.indicator == ".member/2" }.forEach { member(it, lists, report) }
     }
 
-    /** Reports a [call] of `.member` that searches for one of the [lists] in a variable that is not known to be a list. */
+    /** Reports a [call] of `.member` that looks for one of the [lists] in a variable that is no known list. */
     private fun member(call: Literal, lists: Set<String>, report: Report) {
         val (element, list) = call.arguments
         val isList = element is ListTerm && element.withDescendants().none { it is Variable } ||

@@ -8,7 +8,7 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Finds variables that a plan or a rule mentions only once, and variables that an internal action reads before they have a value. */
+/** Finds variables that a plan or rule mentions only once, and variables that an internal action reads before they have a value. */
 internal object VariableRules : Rule {
     override fun check(scene: Scene, report: Report) {
         scene.program.program.components.flatMap(::clauses).filterNot { it is Belief && it.condition == null }.forEach { scope(it, report) }
@@ -36,7 +36,7 @@ internal object VariableRules : Rule {
         }
     }
 
-    /** Returns the variables that first occur as an argument that an internal action reads, each with this action. */
+    /** Returns the variables that first occur as an input of an internal action, with that action. */
     private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
         val first = variables.distinctBy { it.name.text }.toSet()
         return scope.withDescendants().filterIsInstance<Literal>().flatMap { call ->
@@ -46,11 +46,10 @@ internal object VariableRules : Rule {
         }.toMap()
     }
 
-    /** Returns [argument] and, if it is a list, its items. */
     private fun members(argument: Term): List<Term> = if (argument is ListTerm) argument.items + argument else listOf(argument)
 
     private const val WHY = "it is bound for nothing, or unbound where it is used"
 
-    /** Shorter names are often nearly equal by chance. */
+    /** Shorter names often resemble others by chance. */
     private const val LONG = 4
 }

@@ -1,13 +1,13 @@
 package argo.check.syntax
 
 internal class BodyReader(private val cursor: Cursor, private val terms: TermReader) {
-    /** Reads statements until a token cannot begin a statement. */
+    /** Reads statements up to a token that begins no statement. */
     fun body(): Body = cursor.nested({ Body(it, emptyList()) }) {
         val start = cursor.start
         body(start, emptyList())
     }
 
-    /** Reads the statements behind [first], the statements that were already read from offset [start] on. */
+    /** Reads the statements behind [first]. [first] contains the statements already read from offset [start] on. */
     fun body(start: Int, first: List<Statement>): Body {
         val statements = ArrayList(first)
         while (isStatementHere()) {
@@ -79,7 +79,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         if (operator == BodyOperator.DO && cursor.isAt("(") && isBodyInBrackets()) return group()
         val isGoal = operator == BodyOperator.ACHIEVE || operator == BodyOperator.ACHIEVE_APART
         val term = if (isGoal) terms.literal() else terms.formula()
-        val isSign = operator == BodyOperator.DO || operator == BodyOperator.DELETE // Jason reads the `-` of DELETE as a minus here
+        val isSign = operator == BodyOperator.DO || operator == BodyOperator.DELETE // Jason reads the `-` of DELETE as a minus
         if (!isSign && term is Literal && term.isInternal && term.functor.startsWith(".")) { // Jason refuses only actions without a package
             cursor.fail("${term.name} is an internal action, and no belief or goal that ${operator.symbol} can stand before", term.span)
         }
@@ -100,7 +100,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         Group(cursor.since(start), body)
     }
 
-    /** Returns true if the brackets that begin here contain statements, not a formula. */
+    /** Returns true if the parentheses here contain statements. Returns false if the parentheses contain a formula. */
     private fun isBodyInBrackets(): Boolean {
         var depth = 0
         var ahead = 0

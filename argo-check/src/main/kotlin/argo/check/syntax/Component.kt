@@ -3,7 +3,7 @@ package argo.check.syntax
 /** A part of a program that ends with a full stop, or a directive. */
 sealed interface Component : Node
 
-/** @property components the components between `{ begin … }` and `{ end }`; null for other directives, such as `{ include("a.asl") }` */
+/** @property components the components between `{ begin … }` and `{ end }`, or null for other directives, such as `{ include("a.asl") }` */
 class Directive(override val span: Span, val call: Literal?, val components: List<Component>?) : Component {
     override val children: List<Node> get() = listOfNotNull(call) + components.orEmpty()
 }
@@ -13,7 +13,7 @@ class Belief(override val span: Span, val head: Term, val condition: Term?) : Co
     override val children: List<Node> get() = listOfNotNull(head, condition)
 }
 
-/** A goal that the agent has at its start. */
+/** An initial goal of the agent. */
 class InitialGoal(override val span: Span, val goal: Term) : Component {
     override val children: List<Node> get() = listOf(goal)
 }
@@ -36,7 +36,7 @@ class Plan(
     override val children: List<Node> get() = listOfNotNull(label, trigger, context, goalCondition, body) + plans
 }
 
-/** Text that the reader skipped after an error. Its meaning is not known. */
+/** Text of unknown meaning, which the reader skipped after an error. */
 class Unread(override val span: Span) : Component
 
 /** The name and the annotations of a plan, `@p1[atomic]`. A plan in braces may have a variable as its name. */
@@ -44,7 +44,7 @@ class Label(override val span: Span, val name: Name?, val annotations: ListTerm?
     override val children: List<Node> get() = listOfNotNull(name, annotations)
 }
 
-/** The kinds of events, with their symbols in triggers. */
+/** The kinds of events, and their symbols in triggers. */
 enum class EventKind(val symbol: String) { BELIEF(""), ACHIEVE("!"), TEST("?") }
 
 /** @property operator `+`, `-` or `^` */
@@ -60,7 +60,7 @@ class Body(override val span: Span, val statements: List<Statement>) : Node {
 /** A step of a plan's body. */
 sealed interface Statement : Node
 
-/** The way in which a statement uses its term. */
+/** The use of a term in a statement. */
 enum class BodyOperator(val symbol: String) {
     /** An action, an internal action, a comparison, or a term whose value is a body. */
     DO(""),
@@ -79,12 +79,12 @@ class Formula(override val span: Span, val operator: BodyOperator, val term: Ter
     override val children: List<Node> get() = listOf(term)
 }
 
-/** A body in round brackets, as in `(a; b)`. */
+/** A body in parentheses, as in `(a; b)`. */
 class Group(override val span: Span, val body: Body) : Statement {
     override val children: List<Node> get() = listOf(body)
 }
 
-/** Statements that run at the same time, `a |&| b` or `a ||| b`. */
+/** Statements that run concurrently, `a |&| b` or `a ||| b`. */
 class Parallel(override val span: Span, val branches: List<Statement>) : Statement {
     override val children: List<Node> get() = branches
 }

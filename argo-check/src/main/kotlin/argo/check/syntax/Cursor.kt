@@ -1,6 +1,9 @@
 package argo.check.syntax
 
-/** Reads tokens one after the other. After an [error][fail] the text seems to end, until [restart], so that all readers return. */
+/**
+ * Reads tokens one after the other. After an [error][fail], the cursor reports the end of the text until [restart]. All readers then
+ * return.
+ */
 internal class Cursor(private val tokens: List<Token>, private val lines: Lines, private val report: (SyntaxError) -> Unit) {
     private val end = Token(TokenKind.UNKNOWN, "", lines.end)
     private var depth = 0
@@ -17,10 +20,9 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     fun peek(ahead: Int): Token = if (isLost) end else tokens.getOrNull(at + ahead) ?: end
 
-    /** The offset at which the next token begins; after an error, the offset of the token with the error. */
+    /** The offset of the next token; after an error, the offset of the wrong token. */
     val start: Int get() = (tokens.getOrNull(at) ?: end).span.start
 
-    /** Returns the span from [start], the beginning of a token, to the end of the last token that was read. */
     fun since(start: Int): Span = Span(start, if (at == 0) start else maxOf(start, tokens[at - 1].span.end))
 
     fun next(): Token = current.also { if (!isLost && !isAtEnd) at++ }
@@ -29,12 +31,12 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     fun take(symbol: String): Boolean = isAt(symbol).also { if (it) at++ }
 
-    /** Moves past [symbol], or reports that it is missing. [what] describes the symbol in the message. */
+    /** Moves past [symbol], or reports that it is missing. [what] names the symbol in the message. */
     fun expect(symbol: String, what: String = symbol) {
         if (!take(symbol)) expected(what)
     }
 
-    /** Returns the result of [read] between the symbols [open] and [close]. [what] describes [close] in the message. */
+    /** Returns the result of [read] between the symbols [open] and [close]. [what] names [close] in the message. */
     inline fun <T> between(open: String, close: String, what: String, read: () -> T): T {
         expect(open)
         return read().also { expect(close, what) }
@@ -57,7 +59,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     private fun lastToken() = tokens.lastOrNull()?.span ?: end.span
 
-    /** Returns the result of [read]; if readers are nested too deep for the stack, returns that of [tooDeep] and does not call [read]. */
+    /** Returns the result of [read]. If the nesting is too deep for the stack, calls [tooDeep] instead of [read]. */
     inline fun <T> nested(tooDeep: (Span) -> T, read: () -> T): T {
         if (depth >= MAX_DEPTH) {
             fail("this is nested more than $MAX_DEPTH deep", current.span)
@@ -68,8 +70,8 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
     }
 
     /**
-     * Moves to the probable beginning of a component: behind a full stop, or to a line that begins like a component. Searches for such a
-     * line from the token [from] on, which is before the error, so that tokens are read at most twice.
+     * Moves to the probable start of the next component: behind a full stop, or to a line that begins like a component. Looks for such a
+     * line from the token [from] on, which is before the error. Tokens are therefore read at most twice.
      */
     fun restart(from: Int) {
         isLost = false

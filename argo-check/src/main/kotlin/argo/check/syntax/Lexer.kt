@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Reads the tokens of [text] as Jason's parser does: each token is as long as possible. Calls [report] for errors. Each character except
- * blanks is in one token.
+ * Reads the tokens of [text] as Jason's parser does: each token is as long as possible. Calls [report] for errors. Each non-blank character
+ * belongs to one token.
  */
 internal class Lexer(private val text: String, private val report: (SyntaxError) -> Unit) {
     private var at = 0
@@ -67,7 +67,7 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         return TokenKind.ATOM
     }
 
-    /** Jason reads a dot and digits as a name if the name is longer than the number, as in `.5a` and `.5.5`. */
+    /** Returns true if a number begins here. Jason reads `.5a` and `.5.5` as names, since the name is longer. */
     private fun isNumberHere(): Boolean {
         if (peek() in DIGITS) return true
         if (peek() != '.' || peek(1) !in DIGITS) return false
@@ -135,13 +135,13 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         const val ESCAPED = "ntbrf\\'\"01234567"
         val KEYWORDS = setOf("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while")
 
-        /** A symbol is listed before all shorter symbols with which it begins. */
+        /** Longer symbols precede their own beginnings. */
         val SYMBOLS = listOf(
             "|&|", "|||", "\\==", "=..", "<-", "<:", "<=", ":-", "::", ">=", "==", "**", "!!", "<", ">", "=", ":", "*", "/", "+", "-", "!",
             "?", "^", "~", "@", "&", "|", "{", "}", "[", "]", "(", ")", ",", ";", ".",
         )
 
-        /** Letters beyond ASCII count as parts of a name, so that each name causes at most one error. */
+        /** Non-ASCII letters count as parts of a name. Each name then causes at most one error. */
         fun isNamePart(character: Char): Boolean = character == '_' || character in DIGITS || character.isLetter()
     }
 }

@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** A part of a program with its place. Its [children] are the nodes directly in it, in the order of the text. */
+/** A part of a program with its place. [children] are the direct child nodes, in the order of the text. */
 sealed interface Node {
     val span: Span
     val children: List<Node> get() = emptyList()
@@ -9,10 +9,10 @@ sealed interface Node {
 /** A term or a formula. */
 sealed interface Term : Node
 
-/** Replaces a missing term, where the program has an error. */
+/** Stands for a missing term at an error. */
 class Missing(override val span: Span) : Term
 
-/** A name with its place. [text] has no quotes. */
+/** A name with its place. [text] is the name without quotes. */
 class Name(override val span: Span, val text: String) : Node {
     override fun toString(): String = text
 }
@@ -28,7 +28,7 @@ sealed interface Named : Term {
 /**
  * An atom, a structure, a belief, a goal, an action, `true` or `false`.
  *
- * @property isInternal true for an internal action: its name has a dot, and no quotes
+ * @property isInternal true if the name has a dot and no quotes, as names of internal actions do
  */
 class Literal(
     override val span: Span,
@@ -45,13 +45,13 @@ class Literal(
 
     val arity: Int get() = arguments.size
 
-    /** Functor and number of arguments, `dist/2`. */
+    /** Functor and number of arguments, such as `dist/2`. */
     val indicator: String get() = "$functor/$arity"
 
     override fun toString(): String = indicator
 }
 
-/** A variable. If its name begins with `_`, the program does not use the value. */
+/** A variable. A name that begins with `_` marks an unused value. */
 class Variable(
     override val span: Span,
     override val namespace: Term?,
@@ -81,7 +81,7 @@ class ListTerm(override val span: Span, val items: List<Term>, val tail: Term?) 
     override val children: List<Node> get() = items + listOfNotNull(tail)
 }
 
-/** Operands with [operators] of one rank between them, such as `A + B - C` or `a & b`. There is one operand more than operators. */
+/** Operands with [operators] of one rank between them, such as `A + B - C` or `a & b`. There is one more operand than operators. */
 class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands
@@ -102,12 +102,12 @@ class Prefixed(val operator: Token, val operand: Term) : Term {
     override val children: List<Node> get() = listOf(operand)
 }
 
-/** A term or a formula in round brackets. */
+/** A term or a formula in parentheses. */
 class Bracketed(override val span: Span, val term: Term) : Term {
     override val children: List<Node> get() = listOf(term)
 }
 
-/** A term in braces. The [content] in the braces is a [Body], a [Plan], a [Trigger], or a rule as a [Belief]. */
+/** A term in braces. [content] is a [Body], a [Plan], a [Trigger], or a rule as a [Belief]. */
 class Block(override val span: Span, val content: Node) : Term {
     override val children: List<Node> get() = listOf(content)
 }

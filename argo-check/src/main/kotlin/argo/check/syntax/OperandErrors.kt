@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Returns the terms in [components] that Jason's parser reads but refuses, because they cannot be an operand, a formula or a step. Any
- * literal can be a number in a program that registers functions, or that includes files.
+ * Returns an error for each term in [components] that Jason's parser refuses as an operand, a formula or a step. In a program with
+ * registered functions or includes, any literal can be a number.
  */
 internal fun operandErrors(components: List<Component>): List<SyntaxError> {
     val nodes = components.flatMap { it.withDescendants() }
@@ -33,7 +33,6 @@ private fun numbers(operands: List<Term>, hasFunctions: Boolean): List<SyntaxErr
 
 private fun formulas(operands: List<Term>): List<SyntaxError> = operands.filter(::isConstant).map { refusal(it, "no formula") }
 
-/** Returns true for a number or a string, with or without brackets around it. */
 private fun isConstant(term: Term): Boolean = when (term) {
     is NumberTerm, is StringTerm -> true
     is Bracketed -> isConstant(term.term)

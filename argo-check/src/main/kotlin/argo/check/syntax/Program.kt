@@ -1,10 +1,10 @@
 package argo.check.syntax
 
 /**
- * A text in AgentSpeak. After an error the reader continues with the next component.
+ * An AgentSpeak text. After an error, the reader continues with the next component.
  *
- * @property tokens all tokens, including comments; only blanks are between them
- * @property errors the reasons why Jason refuses the text, in the order of the text; empty: Jason accepts it
+ * @property tokens all tokens, including comments; only blanks are outside tokens
+ * @property errors the reasons why Jason refuses the text, in text order; empty if Jason accepts it
  */
 class Program internal constructor(
     val text: String,
@@ -13,13 +13,13 @@ class Program internal constructor(
     val components: List<Component>,
     val errors: List<SyntaxError>,
 ) {
-    /** Returns the nodes that a cursor at [offset] touches, the outermost first. */
+    /** Returns the nodes at [offset], the outermost first. A node's end counts as inside. */
     fun nodesAt(offset: Int): List<Node> =
         generateSequence(components.lastOrNull { it.span.touches(offset) } as Node?) { node ->
             node.children.lastOrNull { it.span.touches(offset) }
         }.toList()
 
-    /** Returns the token that contains [offset] or ends there; null: there are only blanks. */
+    /** Returns the token that contains [offset] or ends there, or null if only blanks are there. */
     fun tokenAt(offset: Int): Token? {
         val next = tokens.binarySearchBy(offset) { it.span.start }.let { if (it >= 0) it else -it - 2 }
         return listOfNotNull(tokens.getOrNull(next), tokens.getOrNull(next - 1)).firstOrNull { it.span.touches(offset) }
@@ -29,7 +29,7 @@ class Program internal constructor(
     fun nodes(): Sequence<Node> = components.asSequence().flatMap { it.withDescendants() }
 }
 
-/** Returns this node and all below it, each before its children. */
+/** Returns this node and all its descendants, each before its children. */
 fun Node.withDescendants(): Sequence<Node> = sequence {
     val waiting = ArrayDeque(listOf(this@withDescendants))
     while (waiting.isNotEmpty()) {
@@ -40,8 +40,8 @@ fun Node.withDescendants(): Sequence<Node> = sequence {
 }
 
 /**
- * Reads [text] as a program of Jason 3.2 or 3.3, in time proportional to its length. Reports no error in a text that Jason's parser
- * accepts. Reads other texts as far as possible.
+ * Reads [text] as a program of Jason 3.2 or 3.3. The time is proportional to the length of [text]. Reports no error if Jason's parser
+ * accepts the text. Reads the correct parts of other texts.
  */
 fun programOf(text: String): Program {
     val errors = ArrayList<SyntaxError>()
@@ -55,5 +55,5 @@ fun programOf(text: String): Program {
     return Program(text, lines, tokens, components, if (isWhole || lexical > 0) errors.sortedBy { it.span.start } else errors)
 }
 
-/** Returns the literal or variable with which [tokens] begin; if it is incomplete, returns its first part. */
+/** Returns the literal or variable at the beginning of [tokens]. If it is incomplete, returns its first part. */
 internal fun literalOf(tokens: List<Token>, lines: Lines): Term = ProgramReader(Cursor(tokens, lines) {}).literal()

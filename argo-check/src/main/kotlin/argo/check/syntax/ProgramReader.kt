@@ -110,7 +110,6 @@ internal class ProgramReader(private val cursor: Cursor) {
         return Trigger(cursor.since(start), operator, kind, term)
     }
 
-    /** Reads a term in braces: a body, a plan, an event or a rule. */
     private fun block(): Block = cursor.nested({ Block(it, Body(it, emptyList())) }) {
         val start = cursor.start
         val content = cursor.between("{", "}", "a closing brace") { content() }
@@ -132,7 +131,7 @@ internal class ProgramReader(private val cursor: Cursor) {
         }
     }
 
-    /** Reads the statements behind [first], a statement that looks like an event, as in `{ +a; b }`. */
+    /** Reads the statements behind [first], which looks like an event, as in `{ +a; b }`. */
     private fun statements(first: Trigger): Body {
         val operator = if (first.operator == "+") BodyOperator.ADD else BodyOperator.DELETE
         val statements = listOf(Formula(first.span, operator, first.term))
@@ -161,7 +160,6 @@ internal class ProgramReader(private val cursor: Cursor) {
         val PLAN_BEGINNINGS = EVENTS + setOf("@", "}")
         val EVENT_PARTS = setOf("!", "?", "~", "::", "true", "false", "begin", "end")
 
-        /** The number of tokens in `{ end }`. */
         const val END_TOKENS = 3
     }
 }

@@ -16,10 +16,10 @@ data class Position(val line: Int, val column: Int) : Comparable<Position> {
 data class Span(val start: Int, val end: Int) {
     val length: Int get() = end - start
 
-    /** Returns true if a cursor at [offset] is within this span or at one of its ends. */
+    /** Returns true if [offset] is inside this span or at one of its ends. */
     fun touches(offset: Int): Boolean = offset in start..end
 
-    /** Returns the shortest span that contains this span and [other]. */
+    /** Returns the shortest span that contains both spans. */
     operator fun plus(other: Span): Span = Span(minOf(start, other.start), maxOf(end, other.end))
 }
 
@@ -37,14 +37,14 @@ class Lines(private val text: String) {
     /** The number of lines; an empty text has one line. */
     val count: Int get() = starts.size
 
-    /** Returns the position of [offset]; for an offset behind the text, the position of its end. */
+    /** Returns the position of [offset]. If [offset] is behind the text, returns the position of the end. */
     fun position(offset: Int): Position {
         val at = offset.coerceIn(0, text.length)
         val line = starts.binarySearch(at).let { if (it >= 0) it else -it - 2 }
         return Position(line + 1, at - starts[line] + 1)
     }
 
-    /** Returns the offset of [position]. If [position] is behind the end of its line or of the text, returns the offset of that end. */
+    /** Returns the offset of [position]. If [position] is behind the end of its line or text, returns the offset of that end. */
     fun offset(position: Position): Int {
         if (position.line < 1) return 0
         if (position.line > count) return text.length
@@ -52,7 +52,7 @@ class Lines(private val text: String) {
         return (starts[position.line - 1] + position.column - 1).coerceIn(starts[position.line - 1], end)
     }
 
-    /** Returns the text of [line], counted from 1, without its line end; empty if there is no such line. */
+    /** Returns the text of [line] without its line end. Lines count from 1. If there is no such line, the text is empty. */
     fun text(line: Int): String {
         val start = starts.getOrNull(line - 1) ?: return ""
         return text.substring(start, starts.getOrNull(line) ?: text.length).trimEnd('\n', '\r')

@@ -2,12 +2,12 @@ package argo.check.syntax
 
 /** Reads terms and formulas. [readBlock] reads a term in braces. */
 internal class TermReader(private val cursor: Cursor, private val readBlock: () -> Block) {
-    /** Reads a logical formula or any other term, since every term can be a formula. */
+    /** Reads a logical formula or any other term. Every term can be a formula. */
     fun formula(): Term = cursor.nested(::Missing) {
         chain(OR) { chain(AND) { if (cursor.current.isKeyword("not")) Prefixed(cursor.next(), comparison()) else comparison() } }
     }
 
-    /** Reads a literal or a variable, as allowed behind `!`, in an event or at the head of a belief. */
+    /** Reads a literal or a variable, as it may follow `!` or stand in an event or the head of a belief. */
     fun literal(): Term {
         val start = cursor.start
         val namespace = namespace()
@@ -104,7 +104,7 @@ internal class TermReader(private val cursor: Cursor, private val readBlock: () 
         do add(read()) while (cursor.take(","))
     }
 
-    /** Reads operands between [operators]. A `+` or `-` before `!` or `?` is no operator: it begins the next plan. */
+    /** Reads operands between [operators]. A `+` or `-` before `!` or `?` belongs to the next plan. */
     private inline fun chain(operators: Set<String>, read: () -> Term): Term {
         val first = read()
         if (!isOperator(operators)) return first

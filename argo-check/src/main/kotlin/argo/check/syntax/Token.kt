@@ -1,12 +1,12 @@
 package argo.check.syntax
 
-/** The kinds of tokens. Jason skips comments, and refuses a text with an unknown token. */
+/** The kinds of tokens. Jason skips comments. Jason refuses a text with an unknown token. */
 enum class TokenKind { ATOM, VARIABLE, NUMBER, STRING, KEYWORD, SYMBOL, COMMENT, UNKNOWN }
 
 /**
- * A piece of AgentSpeak.
+ * A token of AgentSpeak.
  *
- * @property text as written: a string with its quotes, a comment with its slashes
+ * @property text the token as written: a string includes its quotes, a comment its slashes
  */
 class Token(val kind: TokenKind, val text: String, val span: Span) {
     fun isSymbol(symbol: String): Boolean = kind == TokenKind.SYMBOL && text == symbol
@@ -30,7 +30,7 @@ class Token(val kind: TokenKind, val text: String, val span: Span) {
 /**
  * A reason why Jason refuses a text.
  *
- * @property message what is wrong, and what Jason expects
+ * @property message the error, and the input that Jason expects
  */
 class SyntaxError(val span: Span, val message: String) {
     override fun toString(): String = message

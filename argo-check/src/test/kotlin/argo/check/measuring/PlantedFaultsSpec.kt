@@ -18,8 +18,8 @@ import kotlin.io.path.writeText
 import kotlin.random.Random
 
 /**
- * Measures how many slips in programs of others are found, and how many findings unchanged programs have. `-Dargo.corpus=FOLDER` names the
- * folder with their repositories; nothing of them is in this project.
+ * Measures how many planted errors in real programs are found, and how many findings the unchanged programs have. `-Dargo.corpus=FOLDER`
+ * names a folder with these programs. The programs are not part of this project.
  */
 @Tags("Thorough")
 class PlantedFaultsSpec : FunSpec({
@@ -71,7 +71,7 @@ class PlantedFaultsSpec : FunSpec({
 
 private val CORPUS: String? = System.getProperty("argo.corpus")
 
-/** What `docs/check.md` tells is better than these; a rule that is worse fails. */
+/** Limits for the test. The results in `docs/check.md` are better. */
 private const val LEAST_SHARE = 91.0
 private const val GREATEST_RATE = 2.0
 private const val SEED = 30L
@@ -82,11 +82,9 @@ private fun line(finding: Finding) = "${finding.level} ${finding.rule} ${finding
 
 private fun isWhole(program: AgentProgram) = program.program.errors.isEmpty() && program.program.lines.count >= MIN_LINES
 
-/** Returns true if no other text of [project] has the name that [fault] changes. */
 private fun isNamedOnce(project: Project, fault: Fault): Boolean = fault.kind != Planting.SWAP && fault.written !in project.foreignNames &&
     project.programs.values.sumOf { program -> program.program.tokens.count { it.text == fault.written } } == 1
 
-/** Returns the gravest level of the new findings in the line of [fault]; null: there are none. */
 private fun levelOf(project: Project, fault: Fault, before: List<Finding>): Level? {
     val planted = project.with(fault.program.path, fault.planted)
     val after = ProjectCheck(planted).findingsIn(planted.programs.getValue(fault.program.path))

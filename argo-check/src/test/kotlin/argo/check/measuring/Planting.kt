@@ -11,27 +11,27 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 import kotlin.random.Random
 
-/** A fault that is planted: the text of [span] becomes [text]. */
+/** A planted fault: [text] replaces the text of [span]. */
 class Fault(val kind: String, val program: AgentProgram, val span: Span, val text: String, val description: String) {
     val line: Int get() = program.program.lines.position(span.start).line
 
-    /** The text that the fault replaces. */
     val written: String get() = program.program.text.substring(span.start, span.end)
 
     val planted: String get() = program.program.text.replaceRange(span.start, span.end, text)
 }
 
-/** Plants slips of a person who types: a letter too few, doubled, of a neighbouring key, or swapped with the next; arguments swapped. */
+/**
+ * Plants typing errors: a letter is missing, doubled, replaced by a neighbouring key or swapped with the next letter. Also swaps arguments.
+ */
 class Planting(private val random: Random) {
     fun next(bound: Int): Int = random.nextInt(bound)
 
-    /** Returns a fault at a random place of [program]; null: it has no place for one. */
     fun faultIn(program: AgentProgram): Fault? {
         val sites = names(program) + variables(program) + swaps(program)
         return sites.randomOrNull(random)?.invoke()
     }
 
-    /** The name of a test has no effect, however it is spelt. */
+    /** Leaves out names of tests, since a changed test name has no effect. */
     private fun names(program: AgentProgram): List<() -> Fault?> = program.mentions.all
         .filter { it.role != Role.DATA && it.span.start !in program.goalsOfTests && it.functor.length >= MIN_LENGTH &&
             it.functor.all { letter -> letter.isLetterOrDigit() || letter in "_." } }
@@ -44,7 +44,7 @@ class Planting(private val random: Random) {
         else -> "belief"
     }
 
-    /** A variable that a plan or a rule mentions only once has no effect, however it is spelt. */
+    /** Leaves out variables that occur once, since their names have no effect. */
     private fun variables(program: AgentProgram): List<() -> Fault?> = program.program.components
         .filter { it is Plan || it is Belief && it.condition != null }.flatMap { clause ->
             val all = clause.withDescendants().filterIsInstance<Variable>().filter { it.name.text.length >= MIN_LENGTH &&
@@ -79,7 +79,7 @@ class Planting(private val random: Random) {
     }
 
     private fun slip(name: String): String {
-        val at = random.nextInt(1, name.length) // the first letter decides what kind of name it is
+        val at = random.nextInt(1, name.length) // the first letter decides the kind of a name
         return when (random.nextInt(4)) {
             0 -> name.removeRange(at, at + 1)
             1 -> name.substring(0, at) + name[at] + name.substring(at)
@@ -100,7 +100,7 @@ class Planting(private val random: Random) {
         private const val MIN_LENGTH = 3
         private val ROWS = listOf("qwertyuiop", "asdfghjkl", "zxcvbnm")
 
-        /** The arguments of these have no order, or one that only their reader knows. */
+        /** Leaves out literals whose arguments have no order, or an order that only their reader knows. */
         private val FREE = setOf(
             ".print", ".println", ".concat", ".union", ".intersection", ".log", ".printf", ".fail", ".max", ".min", "assert_equals",
         )

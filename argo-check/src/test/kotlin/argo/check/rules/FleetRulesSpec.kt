@@ -7,7 +7,6 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 
-/** The computers of a fleet in a project file, and the agents on them. */
 class FleetRulesSpec : FunSpec({
     val root = tempdir().toPath()
     val hosts = "hosts([base(\"10.8.0.1\"), \"scout-1\", host(\"rasp-pi\",\"10.8.0.12:4800\")])"

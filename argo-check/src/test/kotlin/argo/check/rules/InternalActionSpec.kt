@@ -9,11 +9,11 @@ import jason.asSemantics.InternalAction
 import java.nio.file.Path
 import java.util.jar.JarFile
 
-/** The table has each internal action of both versions of Jason, and takes as many arguments. */
+/** The table has every internal action of both Jason versions, with its numbers of arguments. */
 class InternalActionSpec : FunSpec({
     val here = Path.of(InternalAction::class.java.protectionDomain.codeSource.location.toURI())
 
-    /** Returns the internal actions in [jar], by their names in a program; this Java may be too old to load some of them. */
+    /** Returns the internal actions in [jar], as programs name them. Reads names only, since this Java may be too old for some classes. */
     fun actionsIn(jar: Path): List<String> = JarFile(jar.toFile()).use { file ->
         file.entries().asSequence().map { it.name }.filter { it.startsWith("jason/stdlib/") && it.endsWith(".class") && '$' !in it }
             .map { it.removePrefix("jason/stdlib").removeSuffix(".class").replace('/', '.') }.filter { it != ".Manual" }.toList()

@@ -15,12 +15,11 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.useDirectoryEntries
 
-/** Programs for other versions of ARGO: what behaves differently here is found. */
+/** Programs for other ARGO versions get findings where ARGO behaves differently. */
 class MigrationSpec : FunSpec({
     val root = tempdir().toPath()
     fun findings(vararg files: Pair<String, String>) = findingsIn(root, *files).filter { it.rule !in OF_ANY_PROGRAM }
 
-    /** Returns the findings on one line of an agent. */
     fun of(line: String) = findings("a.asl" to line)
 
     context("without differences there are no advices") {
@@ -232,5 +231,5 @@ class MigrationSpec : FunSpec({
     }
 })
 
-/** What is found in these programs besides, as they are parts. */
+/** Other findings that these program fragments cause. */
 private val OF_ANY_PROGRAM = setOf("goal-without-plan", "plan-without-cause", "variable-once", "no-program")

@@ -9,15 +9,13 @@ import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
-/** Makes a project of [files], names and texts, in a folder below [root]. */
 internal fun projectOf(root: Path, vararg files: Pair<String, String>): Project {
     val folder = Files.createTempDirectory(root, "project")
     files.forEach { (name, text) -> folder.resolve(name).apply { parent.createDirectories() }.writeText(text) }
     return ProjectReader().projectsIn(folder).single()
 }
 
-/** Returns the findings in a project of [files]. */
 internal fun findingsIn(root: Path, vararg files: Pair<String, String>): List<Finding> = ProjectCheck(projectOf(root, *files)).findings()
 
-/** A finding in one line: `2:5 belief-unknown: dits/2 is awaited and never believed; did you mean dist?` */
+/** The finding in one line: `2:5 belief-unknown: dits/2 is awaited and never believed; did you mean dist?` */
 internal val Finding.inShort: String get() = "${place.begin} $rule: $what; $remedy"

@@ -25,18 +25,18 @@ import kotlin.random.Random
 
 class JasonParitySpec : FunSpec({
     beforeSpec {
-        Config.get().setProperty(Config.START_WEB_MI, "false") // a server
-        LogManager.getLogManager().reset() // warnings of Jason's parser
+        Config.get().setProperty(Config.START_WEB_MI, "false") // starts no web server
+        LogManager.getLogManager().reset() // hides the warnings of Jason's parser
     }
 
     fun refusal(text: String): String? = try {
         as2j(StringReader(text)).agent(Agent().apply { initAg() })
         null
-    } catch (refused: Throwable) { // a TokenMgrError is no exception
+    } catch (refused: Throwable) { // a TokenMgrError is an Error
         "$refused"
     }
 
-    /** Leaves out the folders of builds, in which files come and go meanwhile. */
+    /** Skips build folders, since their files change during the test. */
     fun programsBelow(folder: Path): Map<String, String> = buildMap {
         folder.visitFileTree {
             onPreVisitDirectory { one, _ -> if (one.name in BUILDS) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE }
@@ -128,9 +128,10 @@ class JasonParitySpec : FunSpec({
 private const val SEED = 31
 private const val SLIPS = 2_000
 
-/** Jason's parser finds some slips by what classes it can load, as unknown directives. */
+/** The accepted number of disagreements in 1,000 texts. Jason's parser finds some errors only by loading classes. */
 private const val MOST_IN_1000 = 5
 
-/** A folder with programs of others; there is none unless `-DargLine=-Dargo.corpus=…` names it. */
 private val BUILDS = setOf("target", "build")
+
+/** A folder with more programs to test, or null. `-DargLine=-Dargo.corpus=…` names it. */
 private val CORPUS: String? = System.getProperty("argo.corpus")
