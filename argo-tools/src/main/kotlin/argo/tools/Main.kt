@@ -15,15 +15,15 @@ import java.io.PrintWriter
 import kotlin.system.exitProcess
 
 /**
- * Runs the tool that the arguments name. Ends the program with the tool's exit status: 0 done, 1 failed, 2 wrong arguments. The property
- * `argo.command` contains the command that the user has typed.
+ * Runs the tool that the arguments name. Ends the program with the tool's exit status: 0 for success, 1 for failure, 2 for wrong arguments.
+ * The property `argo.command` contains the command as typed by the user.
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 
-/** Runs the tool that [arguments] name, writes its results to [target], and returns its exit status. */
+/** Runs the tool that [arguments] name and writes its results to [target]. Returns the exit status. */
 internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandLine): Int {
     val output = WatchedOutput(target)
     tools.setOut(PrintWriter(output.bufferedWriter(standardCharset()), true))

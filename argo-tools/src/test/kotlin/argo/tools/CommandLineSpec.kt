@@ -25,7 +25,7 @@ class CommandLineSpec : FunSpec({
     fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)
 
     test("every command has help, says what it does, and has an exit status of 0 for that") {
-        val own = all(tools()).filterNot { it.commandSpec.userObject() is SampleProgramCommand } // the samples print their help
+        val own = all(tools()).filterNot { it.commandSpec.userObject() is SampleProgramCommand } // the samples print their own help
         own.map { it.commandSpec.qualifiedName(" ").split(' ').drop(1) }.forEach { words ->
             val said = argo(*words.toTypedArray(), "--help")
             withClue("argo $words\n$said") {
@@ -176,7 +176,7 @@ class CommandLineSpec : FunSpec({
         val commands = tools().subcommands.flatMap { (name, command) ->
             command.subcommands.keys.map { "$name $it" }.ifEmpty { listOf(name) }
         }
-        rows shouldContainExactlyInAnyOrder commands + "lsp" + "ros check" // commands of other modules, which argo.jar has besides
+        rows shouldContainExactlyInAnyOrder commands + "lsp" + "ros check" // argo.jar adds commands of other modules
     }
 
     test("what could command a terminal is shown, not done") {

@@ -3,10 +3,8 @@ package argo.tools
 import java.io.PrintWriter
 import java.io.StringWriter
 
-/** The output of a command, and its exit status. */
 internal data class Output(val status: Int, val out: String, val err: String)
 
-/** Runs the tools in this program. */
 internal fun argo(vararg arguments: String): Output {
     val out = StringWriter()
     val err = StringWriter()

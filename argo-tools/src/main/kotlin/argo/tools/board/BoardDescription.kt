@@ -10,23 +10,21 @@ import javino.wire.BoardAction
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** The known facts about a board. */
 internal interface Description {
-    /** Returns the facts in words; the first line tells the kind of the board. */
+    /** Returns the facts in words. The first line names the kind of board. */
     fun lines(): List<String>
 
-    /** Returns the same facts as members of a JSON object. */
     fun members(): Map<String, Any?>
 }
 
 /**
- * The known facts about a board on a line.
+ * The known facts about a board on a serial line.
  *
- * @property actions the actions, such as `ledOn` without arguments and `speed/1` with one; a star in place of 1 means any number of
- *   arguments; null: the board does not describe itself
- * @property described the kinds of percepts that the board describes itself
- * @property lost the number of the sketch's actions that do not fit into the board's memory
- * @property rules the number of critical rules that fit on the board; null: the board speaks version 1
+ * @property actions the actions with their numbers of arguments, such as `ledOn`, `speed/1` or `say/*` for any number. Null if the board
+ * does not describe itself
+ * @property described the kinds of percepts in the board's own description
+ * @property lost the number of actions of the sketch that do not fit into the board's memory
+ * @property rules the number of critical rules that the board can hold, or null for version 1
  */
 internal class BoardDescription(
     private val protocol: Protocol,
@@ -93,8 +91,8 @@ internal class BoardDescription(
 }
 
 /**
- * Waits for the actions that the board on [link] describes, at most three seconds, and returns them. Empty: its sketch has no table of
- * actions; null: it speaks version 1, or has not described its actions in time. Throws the exceptions of [Link.watch].
+ * Waits up to three seconds for the action list of the board on [link], and returns it. The list is empty if the sketch has no table of
+ * actions. The result is null if the board speaks version 1 or sends no list in time. Throws the exceptions of [Link.watch].
  */
 internal fun actionsOf(link: Link): List<BoardAction>? {
     val end = System.nanoTime() + VOCABULARY_NANOS
@@ -105,7 +103,6 @@ internal fun actionsOf(link: Link): List<BoardAction>? {
 private const val SLICE_MS = 20
 private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
-/** Returns the name of [action], with its number of arguments unless that is 0. */
 internal fun written(action: BoardAction) = action.name + when (action.arguments) {
     0 -> ""
     BoardAction.ANY -> "/*"

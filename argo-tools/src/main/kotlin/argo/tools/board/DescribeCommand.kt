@@ -54,7 +54,7 @@ internal class DescribeCommand : ToolCommand() {
 
     override fun call(): Int {
         spec.requireWithin("--seconds", seconds, 1..MAX_SECONDS)
-        requireNew(file) // refuses early: opening the port resets the board
+        requireNew(file) // fails before the port is opened, since opening resets the board
         if (port.endsWith(RECORDING)) return describeRecorded(Path.of(port))
         return try {
             Interruption().use { line.open(port).use(::describe) }
@@ -85,7 +85,6 @@ internal class DescribeCommand : ToolCommand() {
         return if (observation.isLost) ExitStatus.FAILED else ExitStatus.DONE
     }
 
-    /** Observes the messages of boards in a recording of agents, in place of a board. */
     private fun describeRecorded(recording: Path): Int {
         requireFile(recording)
         val observation = Observation(seconds, listens)
@@ -101,11 +100,11 @@ internal class DescribeCommand : ToolCommand() {
     private fun message(link: Link) =
         (if (listens) link.listen(line.timeoutMs) else link.request(PerceptsRequest.ALL, line.timeoutMs)).text()
 
-    /** Writes the [kinds] to the file. Tells, in the file and on the terminal, their [origin] and the reasons why some are [missing]. */
+    /** Writes the [kinds] to the file. Writes and prints their [origin] and the reasons why some are [missing]. */
     private fun write(origin: String, kinds: List<String>, missing: List<String>) {
         val notes = missing.map(::printable)
         val head = listOf("# Percepts of the board at $port, $origin") + notes.map { "# $it" }
-        Thread.interrupted() // the file is written even after Ctrl-C
+        Thread.interrupted() // Ctrl-C must not prevent the file
         making(file) { Files.write(it, head + kinds, StandardOpenOption.CREATE_NEW) }
         out.println("$file has ${counted(kinds.size, "kind")} of percepts, $origin")
         notes.forEach { out.println(paint.doubtful(it)) }

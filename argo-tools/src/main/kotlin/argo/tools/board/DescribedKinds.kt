@@ -6,13 +6,13 @@ import javino.PortTimeoutException
 import javino.link.Link
 
 /**
- * A board's answer when asked for the kinds of its percepts. [description] is empty if the board describes no kinds, and null if a board of
- * version 2 gave no answer in time.
+ * The answer of a board that was asked for its kinds of percepts. [description] is empty if the board describes no kinds. [description] is
+ * null if a version 2 board gave no answer in time.
  */
 internal class DescribedKinds(val description: PerceptDescription?) {
     val kinds: List<PerceptKind> get() = description?.kinds().orEmpty()
 
-    /** The reason why some of the board's kinds are missing, in words; null: all are there. */
+    /** The reason why some kinds are missing, or null if all are there. */
     val trouble: String?
         get() {
             val problems = (description ?: return "unknown; the board did not describe them in time").problems()
@@ -24,10 +24,9 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
-        /** For a board that was not asked: no kinds. */
+        /** The kinds of a board that was not asked: none. */
         val NONE = DescribedKinds(PerceptDescription(emptyList(), emptyList()))
 
-        /** Asks the board on [link], and waits [timeoutMs] ms at most. */
         fun of(link: Link, timeoutMs: Int): DescribedKinds = DescribedKinds(
             try {
                 link.perceptDescription(timeoutMs)

@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Lets a command finish properly after Ctrl-C. Interrupts the thread that made this object, and delays the end of the program until
- * [close], for at most [LIMIT_S] seconds.
+ * Lets a command finish its work after Ctrl-C. Interrupts the thread that made this object. Delays the end of the program until [close], by
+ * up to [LIMIT_S] seconds.
  */
 internal class Interruption : AutoCloseable {
     private val worker = Thread.currentThread()
@@ -22,8 +22,8 @@ internal class Interruption : AutoCloseable {
     }
 
     /**
-     * Returns true if the program is ending, or begins to end within [LATE_MS]: Ctrl-C goes to all programs of a terminal, and may end a
-     * command's child programs before this one. Call it on the thread that made this object. If true, it clears that thread's interruption.
+     * Returns true if the program is ending, or starts to end within [LATE_MS]. Ctrl-C may end child programs before this program. Call
+     * this function on the thread that made this object. A result of true clears the thread's interruption.
      */
     fun isEnding(): Boolean = try {
         ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }
@@ -36,7 +36,7 @@ internal class Interruption : AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook)
         } catch (_: IllegalStateException) {
-            // the program already ends
+            // the program is already ending
         }
     }
 

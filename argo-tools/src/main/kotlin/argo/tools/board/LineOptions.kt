@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** The options for a board's line, like those of `argo.port`; picocli mixes them into a command. */
+/** The options for a board's serial line, like those of `argo.port`. Picocli mixes them into a command. */
 class LineOptions {
     @Spec(Spec.Target.MIXEE)
     private lateinit var spec: CommandSpec
@@ -31,7 +31,6 @@ class LineOptions {
     )
     private lateinit var protocol: String
 
-    /** The longest time for an answer, in ms. */
     @Option(
         names = ["--timeout"], paramLabel = "MS", defaultValue = "500",
         description = ["how long an answer may take, milliseconds (\${DEFAULT-VALUE})"],
@@ -51,14 +50,15 @@ class LineOptions {
     /**
      * Checks all options and opens [port].
      *
-     * @throws javino.PortException if it cannot be opened
+     * @throws javino.PortException if [port] cannot be opened
      */
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
     /**
-     * Opens [port] if it is no line, such as `ros://robot:9090`; null: it is one. First checks all options, and refuses those of lines.
+     * Opens [port] if it is no serial line, such as `ros://robot:9090`. Returns null for a serial line. Checks all options first. Refuses
+     * options for serial lines.
      *
-     * @throws javino.PortException if it cannot be opened
+     * @throws javino.PortException if [port] cannot be opened
      */
     fun openElsewhere(port: String): BoardLink? {
         val provider = BoardLinkProvider.of(port) ?: return null
@@ -67,12 +67,12 @@ class LineOptions {
         return provider.open(port, true, LineClock.system())
     }
 
-    /** The time limit that the user has given, in ms; 0: the user has given none. */
+    /** The time limit of the user in ms, or 0 if there is none. */
     val givenTimeoutMs: Int get() = if (isGiven("--timeout")) timeoutMs else 0
 
     private fun isGiven(option: String) = spec.commandLine().parseResult.hasMatchedOption(option)
 
-    /** Returns [port] if it is a line, and refuses it otherwise. */
+    /** Returns [port] if it is a serial line, and refuses it otherwise. */
     private fun inJavino(port: String): String {
         if (BoardLinkProvider.of(port) == null) return port
         spec.refuse("$port is on no line, and this command speaks only Javino; monitor, send and \"ports --describe\" do more")
@@ -87,7 +87,6 @@ class LineOptions {
     }
 
     companion object {
-        /** The accepted rates, in bits a second. */
         val BAUDS = 1..20_000_000
         private val OF_LINES = listOf("--baud", "--protocol", "--boot", "--mode")
         private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)

@@ -5,7 +5,7 @@ import argo.links.BoardLink
 import argo.links.Wish
 import argo.tools.command.printable
 
-/** The known facts about a board that has no line, such as a robot that speaks ROS. */
+/** The known facts about a board without a serial line, such as a ROS robot. */
 internal class LinkDescription private constructor(scheme: String, actions: List<String>?, percepts: List<String>) : Description {
     private val facts = mapOf("board" to "a board that speaks $scheme", "actions" to actions, "percepts" to percepts)
 
@@ -21,7 +21,6 @@ internal class LinkDescription private constructor(scheme: String, actions: List
         private const val INTERVAL_MS = 100
         private const val ANSWER_MS = 1_000
 
-        /** Collects the actions and percepts of the board on [link], during 1.5 s. */
         fun of(link: BoardLink): LinkDescription {
             link.wants(Wish(true, INTERVAL_MS, null))
             val end = System.nanoTime() + LISTENING_MS * 1_000_000L

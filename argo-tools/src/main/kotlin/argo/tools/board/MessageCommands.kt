@@ -32,13 +32,12 @@ internal abstract class MessageCommand : DataCommand() {
         check()
         exchange()
         ExitStatus.DONE
-    } catch (unsendable: IllegalArgumentException) { // the message fits into no frame
+    } catch (unsendable: IllegalArgumentException) { // the message does not fit into a frame
         throw ToolException(unsendable.message.orEmpty())
     }
 
     protected open fun check() = Unit
 
-    /** Opens the port, and sends the message. */
     protected open fun exchange() = line.open(port).use(::exchange)
 
     protected abstract fun exchange(link: Link)
@@ -93,10 +92,10 @@ internal class SendCommand : MessageCommand() {
     }
 
     private companion object {
-        /** For a sketch that reads messages itself: it takes every message, even an unknown one. */
+        /** The answer for a sketch without action table. The sketch acknowledges every message, even an unknown one. */
         const val TAKEN = "the board has taken the command; it lists no actions, so nobody knows whether it acted or has ignored it"
 
-        /** For a port without an answer: it may be silent, or have a board of version 1. */
+        /** The answer for a port that does not respond. The port may have no board, or a version 1 board. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"
     }

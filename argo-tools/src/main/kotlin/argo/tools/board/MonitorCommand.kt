@@ -74,7 +74,7 @@ internal class MonitorCommand : DataCommand() {
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
         if (raw && (record != null || json)) misuse("--raw goes with neither --record nor --json")
         if (raw) return Interruption().use { line.openRaw(port).use { RawMonitor(it, out, paint).run(count, seconds) } }
-        record?.let(::requireNew) // refuses early: opening the port resets the board
+        record?.let(::requireNew) // fails before the port is opened, since opening resets the board
         return Interruption().use {
             val elsewhere = line.openElsewhere(port)
             if (elsewhere != null) elsewhere.use { monitorRecording(LinkedBoard(it, intervalMs, line.timeoutMs)) }
@@ -110,7 +110,7 @@ internal class MonitorCommand : DataCommand() {
                 err.println("$record cannot be written: ${unwritable.message}")
                 ExitStatus.FAILED
             }
-            Thread.interrupted() // so that writing the summary is not interrupted
+            Thread.interrupted() // Ctrl-C must not interrupt the summary
             summary()
             return status
         }
@@ -205,7 +205,7 @@ internal class MonitorCommand : DataCommand() {
         )
     }
 
-    /** The percept [text] and its problem, if there is one. [kinds] are the kinds that the board describes; empty: none. */
+    /** The percept [text], and its problem if any. [kinds] are the kinds in the board's description, or empty if it has none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
         val whyUnbelieved = whyUnbelieved(text)

@@ -8,13 +8,12 @@ import javino.link.Link
 
 /** A board whose messages `monitor` shows. */
 internal interface MonitoredBoard {
-    /** Whether the board must be asked for each message; otherwise it sends messages by itself. */
+    /** True if each message needs a request; false if the board sends messages unasked. */
     val isAsked: Boolean
 
-    /** The board's protocol, in words. */
     val speaks: String
 
-    /** The number of damaged frames that were dropped. */
+    /** The number of damaged frames, which were dropped. */
     val damaged: Long get() = 0
 
     /**
@@ -24,11 +23,9 @@ internal interface MonitoredBoard {
      */
     fun next(): String
 
-    /** Asks the board for the kinds of its percepts. */
     fun kinds(): DescribedKinds
 }
 
-/** A board that speaks Javino. */
 internal class JavinoBoard(private val link: Link, override val isAsked: Boolean, private val timeoutMs: Int) : MonitoredBoard {
     override val speaks get() = versionSpoken(link.protocol())
     override val damaged get() = link.corruptFrames()
@@ -38,7 +35,7 @@ internal class JavinoBoard(private val link: Link, override val isAsked: Boolean
     override fun kinds() = DescribedKinds.of(link, timeoutMs)
 }
 
-/** A board whose [link] is no line, such as a robot that speaks ROS. It sends messages by itself, at an interval. */
+/** A board without a serial line, such as a ROS robot. The board sends messages unasked, at an interval. */
 internal class LinkedBoard(private val link: BoardLink, intervalMs: Int, private val timeoutMs: Int) : MonitoredBoard {
     override val isAsked get() = false
     override val speaks = link.port.substringBefore(':')

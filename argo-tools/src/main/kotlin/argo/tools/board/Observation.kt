@@ -12,7 +12,10 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 
-/** Observes a board's percepts for [seconds], from the making of this object. [mayBeSilent]: the board sends only when it has news. */
+/**
+ * Observes a board's percepts for [seconds], starting at the creation of this object. [mayBeSilent] is true for a board that sends only
+ * changes.
+ */
 internal class Observation(private val seconds: Int, private val mayBeSilent: Boolean) {
     private val observed = ObservedKinds()
     private val unreadable = LinkedHashSet<String>() // at most MAX_TEXTS
@@ -24,7 +27,10 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     var isLost = false
         private set
 
-    /** Observes the message [first], and then those from [next]. Ends early if the port is lost or the thread is interrupted. */
+    /**
+     * Observes the message [first] and then the messages that [next] returns. Ends early if the port is lost or if the thread is
+     * interrupted.
+     */
     fun run(first: String, next: () -> String) {
         add(first)
         try {
@@ -48,7 +54,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
 
     private fun heardSeconds() = Rates.seconds(TimeUnit.NANOSECONDS.toMillis(heard - begun))
 
-    /** Observes the percepts in [text], a message or a single percept. */
+    /** Observes the percepts in [text]. [text] is a message or one percept. */
     fun add(text: String) {
         heard = System.nanoTime()
         for (percept in perceptsOf(text)) {
@@ -63,7 +69,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
 
     fun kinds(): List<PerceptKind> = observed.kinds()
 
-    /** Returns a sentence for each reason why [kinds] are incomplete. */
+    /** Returns a sentence for each reason why the kinds are incomplete. */
     fun notes(): List<String> = listOfNotNull(
         end,
         unreadable.firstOrNull()?.let {
@@ -79,6 +85,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     }
 }
 
-/** Returns a sentence about the kinds [own], such as `port/2`, which are left out; null: [own] is empty. */
+/** Returns a sentence about the omitted kinds [own], such as `port/2`, or null if [own] is empty. */
 internal fun ownLeftOut(own: Collection<String>): String? =
     if (own.isEmpty()) null else "left out: ${own.distinct().joinToString()}, of beliefs of ARGO's own, which no board can claim"

@@ -7,14 +7,14 @@ import java.math.BigDecimal
 import java.util.Optional
 
 /**
- * The kinds of the observed percepts. Percepts with the same functor and number of arguments are of one kind. If an argument was always a
- * number, its range is noted. If it was always one of a few atoms, these are its choices. Percepts with a functor in quotes, and kinds
- * beyond [MAX_KINDS], are only counted as [others].
+ * The kinds of the observed percepts. Percepts with equal functor and arity form one kind. If an argument was always a number, the kind has
+ * its range. If it was always one of a few atoms, the kind has these atoms as choices. Percepts with a quoted functor, and kinds beyond
+ * [MAX_KINDS], are only counted in [others].
  */
 internal class ObservedKinds {
-    private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // each kind's functor and arguments, by `functor/arity`
+    private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // functor and arguments of each kind, by `functor/arity`
 
-    /** The number of percepts of all other kinds. */
+    /** The number of percepts without a kind of their own. */
     var others = 0L
         private set
 

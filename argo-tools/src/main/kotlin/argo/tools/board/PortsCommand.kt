@@ -68,7 +68,6 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Returns true if the system has no device at [path]. Files and folders are no devices. */
     private fun isMissing(path: String) = SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none(::isDevice)
 
     private fun isDevice(path: String) = try {
@@ -85,7 +84,7 @@ internal class PortsCommand : DataCommand() {
         return names.map { name -> present.find { name == it.name() || name == it.path() } ?: unlisted(name) }
     }
 
-    /** Describes a port that the system does not list: a pseudo-terminal, a simulated board, or a missing port. */
+    /** Describes a port that the operating system does not list: a pseudo-terminal, a simulated board or a missing port. */
     private fun unlisted(name: String) =
         SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.empty(), OptionalInt.empty(), Optional.empty())
 

@@ -12,10 +12,10 @@ import javino.link.LinkSettings
 import javino.link.StrayBytes
 
 /**
- * The result of probing a port, in words.
+ * The result of a probe, in words.
  *
- * @property answers true if a Javino board answers; null: unknown
- * @property description the board's description; null: not requested, or there is none
+ * @property answers true if a Javino board answers, or null if that is unknown
+ * @property description the board's description, or null if it was not requested or does not exist
  */
 internal data class ProbedBoard(
     val result: String,
@@ -25,13 +25,14 @@ internal data class ProbedBoard(
 )
 
 /**
- * Finds out whether a Javino board answers at a port. Tries one rate after the other. Opening a port resets most boards.
+ * Finds out if a Javino board answers at a port. Tries the rates one by one. Opening a port resets most boards.
  *
- * @param rates the rates to try, at least one, in bits a second; for a port without rates, such as `sim:robot`, only the first counts
- * @param describes whether the board is also asked for its description
+ * @param rates the rates to try, in bits per second, at least one. For a port without rates, such as `sim:robot`, only the first one is
+ * used
+ * @param describes true if the board is also asked for its description
  */
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
-    /** Probes the port [name]. This takes up to four seconds for each rate without an answer. */
+    /** Probes the port [name]. The probe takes up to four seconds for each rate without an answer. */
     fun of(name: String): ProbedBoard {
         BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
@@ -39,14 +40,15 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         for (rate in tried) {
             val board = at(name, rate, strays)
             if (board != null) return board
-            if (strays.last().run { count > 0 && isText }) break // readable text: the rate is right, but this is no Javino board
+            // readable text means that the rate is right and the board speaks no Javino
+            if (strays.last().run { count > 0 && isText }) break
         }
         val telling = strays.maxWith(compareBy({ it.count > 0 && it.isText }, { it.count }))
         val rates = strays.map { it.baud }.joinToString(" and ", postfix = " baud")
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
     }
 
-    /** Probes a board that has no line, such as a robot that speaks ROS. */
+    /** Probes a board without a serial line, such as a ROS robot. */
     private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
         provider.open(name, true, LineClock.system()).use { link ->
             val description = if (describes) LinkDescription.of(link) else null
@@ -58,7 +60,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         ProbedBoard(trouble.message.orEmpty(), answers = null)
     }
 
-    /** Probes the port [name] at this [rate]. If no board answers, adds the received bytes to [strays], and returns null. */
+    /** Probes the port [name] at [rate]. Without an answer, adds the received bytes to [strays] and returns null. */
     private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
         val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
         return try {
@@ -86,7 +88,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
     }
 
     companion object {
-        /** The usual rates of sketches, the most frequent one first. */
+        /** The usual rates of sketches, the most common first. */
         val USUAL = listOf(9600, 115200, 57600)
         private val SCHEMES = listOf("sim:", "replay:", "tcp:")
         private const val ANSWER_MS = 1_000

@@ -4,8 +4,8 @@ import argo.tools.command.counted
 import java.util.Locale
 
 /**
- * The rates of messages and of the percepts in them. Times are in ms, from the beginning of monitoring. Percepts that differ only in
- * numbers are of one kind. At most [MAX_KINDS] kinds are counted separately.
+ * The rates of messages and percepts. All times are in ms since the start of monitoring. Percepts that differ only in numbers form one
+ * kind. At most [MAX_KINDS] kinds are counted separately.
  */
 internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
@@ -34,10 +34,9 @@ internal class Rates {
         kind?.last = percept
     }
 
-    /** Returns the rate of the last [RECENT] messages, in messages a second; null before the second message. */
+    /** Returns the rate of the last [RECENT] messages, in messages per second. Returns null before the second message. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
-    /** Returns a line about the messages, and one about each kind of percepts. */
     fun summary(): List<String> {
         val total = "${counted(messages, "message")} in ${seconds(lastMs - firstMs)} s" + rate(messages)
         val rows = kinds.map { (name, kind) -> "  $name: ${kind.count}${rate(kind.count)}, last ${kind.last}" }
@@ -57,7 +56,7 @@ internal class Rates {
         private const val MS_PER_S = 1000.0
         private val NUMBER_ARGUMENT = Regex("""(?<=[(,\[])\s*-?\d+(\.\d+)?([eE][+-]?\d+)?\s*(?=[,)\]])""")
 
-        /** Returns [percept] with `_` for its numbers: `dist(front,_)`. */
+        /** Returns [percept] with its numbers replaced by `_`, such as `dist(front,_)`. */
         fun kindOf(percept: String): String = NUMBER_ARGUMENT.replace(percept, "_")
 
         fun seconds(ms: Long): String = String.format(Locale.ROOT, "%.3f", ms / MS_PER_S)

@@ -8,7 +8,7 @@ import javino.Transport
 import java.io.PrintWriter
 import java.util.concurrent.TimeUnit
 
-/** Shows all bytes from [line]. A line of output ends with each line of text, and at each pause. */
+/** Shows all bytes from [line]. Starts a new output line after each line of text and after each pause. */
 internal class RawMonitor(private val line: Transport, private val out: PrintWriter, private val paint: Paint) {
     private val start = System.nanoTime()
     private val buffer = ByteArray(BUFFER)
@@ -16,12 +16,12 @@ internal class RawMonitor(private val line: Transport, private val out: PrintWri
     private var lines = 0
     private var bytes = 0L
 
-    /** Runs until interrupted, for at most [count] lines and [seconds] s; null: no such limit. Returns the exit status. */
+    /** Runs until an interruption, for at most [count] lines and [seconds] s. Null means no limit. Returns the exit status. */
     fun run(count: Int?, seconds: Int?): Int {
         try {
             while (lines < (count ?: Int.MAX_VALUE) && (seconds == null || ms() < TimeUnit.SECONDS.toMillis(seconds.toLong()))) read()
         } catch (_: PortInterruptedException) {
-            Thread.interrupted() // so that writing the summary is not interrupted
+            Thread.interrupted() // Ctrl-C must not interrupt the summary
         }
         print()
         out.println("${counted(bytes, "byte")} in ${Rates.seconds(ms())} s at ${line.line().baud()} baud")

@@ -118,7 +118,7 @@ internal class ReplayCommand : JasonCommand() {
         return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
-    /** Calls [serve] with the port's name: with --link, the name of a symbolic link that exists while [serve] runs. */
+    /** Calls [serve] with the port's name. With --link, the name is that of a symbolic link, which exists while [serve] runs. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
         val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
@@ -137,16 +137,19 @@ internal class ReplayCommand : JasonCommand() {
             if (waits) awaitListener(pair)
             Transports.open(pair.board().path, LineSettings.defaults()).use(board::run)
         } catch (_: PortInterruptedException) {
-            Thread.interrupted() // so that the terminals can be removed
+            Thread.interrupted() // Ctrl-C must not prevent the removal of the terminals
         } catch (_: InterruptedException) {
-            // Ctrl-C has ended the wait for a listener
+            // Ctrl-C ended the wait for a listener
         } catch (gone: PortException) {
             if (!interruption.isEnding()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
         }
         return ExitStatus.DONE
     }
 
-    /** For a board that sends unasked: waits until a program opens the port. Returns at once if the system does not show that. */
+    /**
+     * Waits until a program opens the port. Boards that send unasked need this. Returns at once if the operating system does not show open
+     * files.
+     */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)
@@ -156,10 +159,12 @@ internal class ReplayCommand : JasonCommand() {
     private companion object {
         const val POLL_MS = 100L
 
-        /** The time from the opening of the port to the board's start. In this time, the program's serial driver discards all bytes. */
+        /**
+         * The delay between the opening of the port and the start of the board. A program's serial driver discards all bytes during this
+         * time.
+         */
         const val START_MS = 500L
 
-        /** By default, a command may be so much earlier or later. */
         const val WITHIN_MS = 100L
     }
 }

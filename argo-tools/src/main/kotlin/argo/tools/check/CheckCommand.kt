@@ -109,7 +109,7 @@ internal class CheckCommand : DataCommand() {
     }
 }
 
-/** Returns the file of [finding], as a relative path if the file is in the working directory. */
+/** Returns the file of [finding]. A file in the working directory gets a relative path. */
 internal fun fileOf(finding: Finding): Path {
     val here = Path.of("").toAbsolutePath()
     val file = finding.place.file.toAbsolutePath().normalize()

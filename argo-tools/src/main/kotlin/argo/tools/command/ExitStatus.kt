@@ -7,19 +7,17 @@ import java.nio.file.AccessDeniedException
 import java.nio.file.FileSystemException
 import java.nio.file.NoSuchFileException
 
-/** The exit statuses of commands, besides 2 for wrong arguments. */
+/** The exit statuses of commands. Wrong arguments give 2. */
 object ExitStatus {
-    /** The command is done. */
     const val DONE = 0
 
-    /** The command has failed. */
     const val FAILED = 1
 }
 
-/** Ends a command that has failed; [message] tells the user why. */
+/** Ends a failed command; [message] tells the user the reason. */
 class ToolException(message: String) : Exception(message)
 
-/** Returns the message of [failure] for the user; null for an unexpected failure. */
+/** Returns the message of [failure] for the user, or null if the failure is unexpected. */
 internal fun messageOf(failure: Throwable): String? = when (failure) {
     is ToolException, is FilterException -> failure.message
     is NoSuchFileException -> "there is no file ${failure.file}"

@@ -10,7 +10,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 
 /**
- * Checks that [file] does not exist yet, and that its folder does. Call this before any work.
+ * Checks that [file] does not exist, and that its folder exists. Call this function before any other work.
  *
  * @throws ToolException if [file] cannot be made
  */
@@ -26,7 +26,7 @@ internal fun requireNew(file: Path) {
 /**
  * Returns the result of [make] for the new file [file].
  *
- * @throws ToolException if [file] cannot be made; the message names the folder if that is the cause
+ * @throws ToolException if [file] cannot be made. If the folder is the cause, the message names it
  */
 internal fun <T> making(file: Path, make: (Path) -> T): T {
     requireNew(file)
@@ -44,7 +44,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
 private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent ?: file
 
 /**
- * Checks that [file] is a regular file: reading a pipe without a writer would never end.
+ * Checks that [file] is a regular file. Reading a pipe without a writer would never end.
  *
  * @throws ToolException if [file] is no regular file
  */
@@ -55,13 +55,13 @@ fun requireFile(file: Path) {
 }
 
 /**
- * Opens all of [files] by [open], one after the other, calls [work] with the list of [opened] and these, and returns its result. Closes all
- * that it has opened.
+ * Opens all [files] by [open] and calls [work] with them, behind those in [opened]. Returns the result of [work]. Closes all that it has
+ * opened.
  */
 fun <T : AutoCloseable, R> withAll(files: List<Path>, open: (Path) -> T, opened: List<T> = emptyList(), work: (List<T>) -> R): R =
     if (files.isEmpty()) work(opened) else open(files.first()).use { withAll(files.drop(1), open, opened + it, work) }
 
-/** Returns the sorted files below [folder] with one of these [extensions]. Hidden files and outputs of builds are left out. */
+/** Returns the sorted files below [folder] that have one of these [extensions]. Leaves out hidden files and build outputs. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
 }

@@ -10,8 +10,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
 /**
- * The parts of ARGO that are installed with [jar], its `argo.jar`. In a release they are beside the jar; in a source tree, they are in the
- * outputs of Maven.
+ * The parts of ARGO that belong to [jar], its `argo.jar`. In a release, they are in the folder of the jar. In a source tree, they are in
+ * Maven's output folders.
  */
 internal class Installation(jar: Path) {
     private val file = jar.toAbsolutePath().normalize()
@@ -19,7 +19,8 @@ internal class Installation(jar: Path) {
     private val releasedJars = if (release.isDirectory()) release.listDirectoryEntries("*.jar") else emptyList()
 
     /**
-     * Returns the class path of [module], the samples or the experiment. These modules are not in `argo.jar`, since they need Jason.
+     * Returns the class path of [module], which is `samples` or `experiment`. `samples` and `experiment` need Jason, so `argo.jar` does not
+     * contain them.
      *
      * @throws ToolException if the module is missing
      */
@@ -32,7 +33,7 @@ internal class Installation(jar: Path) {
         return outputOf(module).resolve("classes").toString() + File.pathSeparator + libraries
     }
 
-    /** Returns the class path of the samples, which contains Jason and its libraries; null: it is missing. */
+    /** Returns the class path of the samples, with Jason and its libraries, or null if it is missing. */
     fun jason(): String? =
         if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
 
@@ -54,6 +55,5 @@ internal class Installation(jar: Path) {
     }
 }
 
-/** Returns the jar from which this program runs; null: it runs from a folder of classes. */
 internal fun ownJar(): Path? =
     ToolCommand::class.java.protectionDomain.codeSource.location.toURI().toPath().takeIf { it.isRegularFile() }

@@ -6,11 +6,10 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** Makes a JSON object with [members]. Null, truth values, numbers, JSON and lists keep their form; other values become text. */
+/** Makes a JSON object with [members]. Null, booleans, numbers, JSON and lists keep their type. Other values become text. */
 internal fun jsonOf(vararg members: Pair<String, Any?>): JsonObject =
     JsonObject(members.associate { (name, value) -> name to element(value) })
 
-/** Makes a JSON array of [values], converted as in [jsonOf]. */
 internal fun jsonArrayOf(values: List<Any?>): JsonArray = JsonArray(values.map(::element))
 
 private fun element(value: Any?): JsonElement = when (value) {

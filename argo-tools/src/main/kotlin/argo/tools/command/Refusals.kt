@@ -12,10 +12,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Makes all commands of this program report failures in words, with exit status 1. For wrong arguments they point to the help, with exit
- * status 2.
+ * Makes all commands of this program report failures in words. The exit status is then 1. For wrong arguments, they also mention the help.
+ * The exit status is then 2.
  *
- * @param kind the word for a command of this program: `command` or `sample`
+ * @param kind the word for a command of this program, `command` or `sample`
  */
 fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
@@ -65,13 +65,13 @@ private fun reason(wrong: ParameterException, kind: String): String? {
     }
 }
 
-/** Ends this command, since its arguments are wrong for [reason]. */
+/** Ends this command because of wrong arguments, for [reason]. */
 fun CommandSpec.refuse(reason: String): Nothing = throw ParameterException(commandLine(), reason)
 
-/** Refuses a [value] of [option] outside of [range]. The message has [unit] after the range. */
+/** Refuses a [value] of [option] outside [range]. The message shows [unit] behind the range. */
 fun CommandSpec.requireWithin(option: String, value: Int, range: IntRange, unit: String = "") {
     if (value !in range) refuse("$option is from ${range.first} to ${range.last}${if (unit.isEmpty()) "" else " $unit"}, not $value")
 }
 
-/** Refuses a call that names no subcommand. [kind] is the word for a subcommand. */
+/** Refuses a call without a subcommand. [kind] is the word for a subcommand. */
 fun CommandSpec.refuseWithout(kind: String): Nothing = refuse("name a $kind: ${subcommands().keys.joinToString()}")

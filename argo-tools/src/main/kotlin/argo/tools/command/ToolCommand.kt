@@ -7,29 +7,27 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** The base of all tools, including those of a [ToolProvider]. [call] returns the exit status, or fails by a [ToolException]. */
+/** The base class of all tools, including those of a [ToolProvider]. [call] returns the exit status, or throws a [ToolException]. */
 @Command
 abstract class ToolCommand : Callable<Int> {
-    /** The command in picocli's form. */
+    /** The picocli form of this command. */
     @Spec
     protected lateinit var spec: CommandSpec
 
     @Option(names = ["-h", "--help"], usageHelp = true, order = LAST, description = ["shows this"])
     private var help = false
 
-    /** The output for results. */
     protected val out: PrintWriter get() = spec.commandLine().out
 
-    /** The output for errors. */
     protected val err: PrintWriter get() = spec.commandLine().err
 
-    /** Colours; none if `NO_COLOR` is set, or on a terminal without colours. */
+    /** The colours. There are none if `NO_COLOR` is set, or on a terminal without colours. */
     internal val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
 
-    /** Ends the command with exit status 2, since its arguments are wrong for [reason]. */
+    /** Ends the command with exit status 2 because of wrong arguments, for [reason]. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 
-    /** Returns the user's options, without those called [left], as arguments for another program. */
+    /** Returns the user's options except those named [left], as arguments for another program. */
     internal fun givenWithout(vararg left: String): List<String> =
         spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
             val name = option.longestName()
@@ -37,10 +35,10 @@ abstract class ToolCommand : Callable<Int> {
         }
 }
 
-/** An order that puts --help last if a command shows its options in the order of their declaration. */
+/** The picocli order number that puts --help last. */
 private const val LAST = 100
 
-/** A tool whose results are data. */
+/** A tool that can print its results as JSON. */
 @Command
 internal abstract class DataCommand : ToolCommand() {
     @Option(names = ["--json"], description = ["prints JSON"])
@@ -61,6 +59,6 @@ internal class Paint(private val enabled: Boolean) {
     private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
 }
 
-/** Makes [text] from a board or a file safe to print: control characters, which could command a terminal, become `\u001B` and so on. */
+/** Replaces control characters in [text] by forms such as `\u001B`. Control characters from a board or a file could command a terminal. */
 internal fun printable(text: String): String =
     if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")

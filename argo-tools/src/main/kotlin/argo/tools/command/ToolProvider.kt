@@ -1,7 +1,7 @@
 package argo.tools.command
 
 /**
- * Adds a command to the tools. [java.util.ServiceLoader] finds the class that `META-INF/services/argo.tools.command.ToolProvider` names.
+ * Adds a command to the tools. [java.util.ServiceLoader] finds the class by the file `META-INF/services/argo.tools.command.ToolProvider`.
  * The class needs a public constructor without arguments.
  */
 interface ToolProvider {

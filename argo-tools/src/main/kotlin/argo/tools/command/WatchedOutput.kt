@@ -4,13 +4,12 @@ import java.io.FilterOutputStream
 import java.io.IOException
 import java.io.OutputStream
 
-/** Notes why a write to [target] failed: a [java.io.PrintWriter] and `System.out` only report that it failed. */
+/** Stores why a write to [target] failed. A [java.io.PrintWriter] and `System.out` only report that it failed. */
 internal class WatchedOutput(private val target: OutputStream) : FilterOutputStream(target) {
-    /** The first failed write; null: none has failed. */
     var trouble: IOException? = null
         private set
 
-    /** Whether the reader of the output has ended, as in `monitor PORT | head`. Then the system's message contains "pipe". */
+    /** True if the reader of the output has ended, as in `monitor PORT | head`. The operating system's message then contains "pipe". */
     val hasReaderGone: Boolean get() = trouble?.message.orEmpty().contains("pipe", ignoreCase = true)
 
     override fun write(byte: Int) = watched { target.write(byte) }

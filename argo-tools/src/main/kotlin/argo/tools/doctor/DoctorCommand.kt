@@ -25,7 +25,7 @@ internal class DoctorCommand(
     @Option(names = ["--probe"], description = ["requests percepts at each free USB port. Opening it resets most boards; motors may jerk"])
     private var probes = false
 
-    @Suppress("unused") // set by picocli
+    @Suppress("unused") // picocli sets this field
     constructor() : this(ThisMachine)
 
     override fun call(): Int {

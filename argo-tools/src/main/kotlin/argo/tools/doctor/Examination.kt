@@ -5,12 +5,12 @@ import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
 
-/** Checks a machine for the usual reasons why users cannot reach their boards. */
+/** Checks a computer for the common reasons why boards cannot be reached. */
 internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    /** Makes all checks and returns their results. With [probe], which gets the name of a port, also probes boards. */
+    /** Makes all checks and returns their results. With [probe], also probes boards. [probe] gets the name of a port. */
     fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
         listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 
@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** Checks the user's groups in this login. A change of the groups takes effect only at the next login. */
+    /** Checks the groups of the user in this login. A change of groups takes effect at the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null
@@ -104,7 +104,6 @@ internal class Examination(private val machine: Machine) {
     }
 }
 
-/** The result of one check. */
 internal data class Finding(val level: Level, val what: String, val remedy: String? = null) {
     enum class Level {
         GOOD,

@@ -6,36 +6,34 @@ import javino.sim.PseudoTerminals
 import java.io.IOException
 import java.util.concurrent.TimeUnit
 
-/** The facts about a machine that matter for boards. */
+/** The facts about a computer that matter for boards. */
 internal interface Machine {
-    /** The operating system in Java's words: `Linux`, `Mac OS X`, `Windows 11`. */
+    /** The operating system in Java's words, such as `Linux`, `Mac OS X` or `Windows 11`. */
     val system: String
 
-    /** Java's feature version, such as 17. */
     val java: Int
 
     val javaInFull: String
 
     val user: String
 
-    /** The user's groups in this login; null: unknown. */
+    /** The user's groups in this login, or null if they are unknown. */
     val groups: List<String>?
 
-    /** The names of the running programs, without folders. */
     val processes: Set<String>
 
     val hasSocat: Boolean
 
-    /** Returns the serial devices; fails with the reason if the driver cannot run. */
+    /** Returns the serial devices, or the reason why the driver does not work. */
     fun ports(): Result<List<Device>>
 }
 
 /**
  * A serial device.
  *
- * @property isUsb whether the device is on USB, like boards
- * @property remedy how the user gets permission to open the device; null: the user has permission
- * @property holders the programs that hold the device open
+ * @property isUsb true for a USB device, as boards are
+ * @property remedy advice for getting permission to open the device, or null if the user has permission
+ * @property holders the programs that have opened the device
  */
 internal data class Device(val name: String, val isUsb: Boolean, val remedy: String?, val holders: List<String>)
 

@@ -123,10 +123,10 @@ internal class ExploreCommand : ToolCommand() {
 
         const val NOTHING_KNOWN = 3
 
-        /** The exploration's program ends with this exit status if it has found a run that breaks a rule. */
+        /** The exit status of an exploration that found a run that breaks a rule. */
         const val FOUND_THERE = 4
 
-        /** If the exploration's program ends with one of these exit statuses, it has printed the reason itself. */
+        /** The exit statuses with which an exploration has already printed the reason. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

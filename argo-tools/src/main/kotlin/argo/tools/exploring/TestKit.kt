@@ -13,9 +13,10 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
 
 /**
- * Returns [classPath] with the test kit. In a release the kit is beside `argo.jar`; in a source tree it is in the output of Maven.
+ * Returns [classPath] with the test kit added. In a release, the test kit is beside `argo.jar`. In a source tree, it is in Maven's output
+ * folder.
  *
- * @throws ToolException if the kit is in neither of these places, and not on [classPath]
+ * @throws ToolException if the test kit is in neither place and not on [classPath]
  */
 internal fun withTestKit(classPath: String): String {
     if (filesOn(classPath).any { it.name.startsWith("argo-testkit") || it.resolve("argo/exploring/Exploration.class").isRegularFile() }) {
@@ -27,9 +28,9 @@ internal fun withTestKit(classPath: String): String {
 }
 
 /**
- * Compiles [file] into [classes] with `kotlinc`. Returns the name of the class with the file's functions.
+ * Compiles [file] into the folder [classes] with `kotlinc`. Returns the name of the class with the file's functions.
  *
- * @throws ToolException if there is no compiler, or it refuses the file
+ * @throws ToolException if there is no compiler, or if it refuses the file
  */
 internal fun compiled(file: Path, classPath: String, classes: Path): String {
     val path = filesOn(classPath).joinToString(File.pathSeparator)

@@ -13,7 +13,7 @@ import kotlin.io.path.inputStream
 import kotlin.io.path.readText
 
 /**
- * Reads the filter in [file], which is XML or JSON by the suffix of its name.
+ * Reads the filter in [file]. The file name's extension decides between XML and JSON.
  *
  * @throws argo.filters.FilterException if the filter is refused
  */
@@ -29,8 +29,8 @@ internal fun filterIn(file: Path): PerceptionFilter {
 }
 
 /**
- * Returns the files below [folder] that are meant to be filters, and then all other XML and JSON files. A file is meant to be a filter if
- * it contains `<PerceptionFilter` or `"rules"`.
+ * Returns the probable filter files below [folder], and all other XML and JSON files. A probable filter contains `<PerceptionFilter` or
+ * `"rules"`.
  */
 internal fun filtersIn(folder: Path): Pair<List<Path>, List<Path>> = sourcesIn(folder, MARKS.keys).partition { file ->
     MARKS.getValue(file.extension) in file.readText(Charsets.ISO_8859_1)

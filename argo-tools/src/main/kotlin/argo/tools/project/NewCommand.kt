@@ -55,7 +55,7 @@ internal class NewCommand : ToolCommand() {
         return ExitStatus.DONE
     }
 
-    /** Makes the project under another name first, so that a full disk leaves no partial project. */
+    /** Makes the project under a temporary name first. A full disk then leaves no partial project. */
     private fun make(target: Path, argo: Path, testKit: Path?) {
         val draft = making(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}")) { Files.createDirectory(it) }
         try {
@@ -77,7 +77,7 @@ internal class NewCommand : ToolCommand() {
         const val TEST_KIT = "argo-testkit.jar"
         const val MAX_BOARDS = 2
 
-        /** The version in the file names of ARGO's build. */
+        /** The version in ARGO's file names. */
         const val VERSION = "0.1.0"
     }
 }

@@ -1,9 +1,9 @@
 package argo.tools.project
 
 /**
- * Returns the contents of a new project's text files, by their paths in the project.
+ * Returns the text files of a new project, by their paths in the project.
  *
- * @param withTestKit whether the project's `lib/` contains the test kit
+ * @param withTestKit true if the project's `lib/` contains the test kit
  * @param boards the number of boards that the agent perceives, 1 or 2
  */
 internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: Int = 1): Map<String, String> {
@@ -56,7 +56,7 @@ private fun wordsOfTwo(project: ProjectName) = mapOf(
     "WRITE" to "Write the ports into `$AGENT`: `boards([port(ttyACM0,[as(eyes)]), port(ttyACM1,[as(lamp)])]).`",
 )
 
-/** The versions of libraries in a new project. They must be the same as in the pom.xml of ARGO. */
+/** The versions of libraries in a new project. These versions must equal those in ARGO's pom.xml. */
 internal const val JASON_VERSION = "3.2.1"
 internal const val KOTLIN_VERSION = "2.4.10"
 internal const val KOTEST_VERSION = "6.2.4"

@@ -1,6 +1,9 @@
 package argo.tools.project
 
-/** The name of a project and its folder. [id] is the name for Jason and Arduino: it has `_` for `-`, and a lower-case first letter. */
+/**
+ * The name of a project and of its folder. [id] is the name for Jason and Arduino. [id] has `_` in place of `-`, and a lower-case first
+ * letter.
+ */
 internal data class ProjectName(val name: String) {
     val id: String get() = name.replace('-', '_').replaceFirstChar(Char::lowercase)
 
@@ -8,7 +11,7 @@ internal data class ProjectName(val name: String) {
         private const val MAX_LENGTH = 60
         private val PATTERN = Regex("[A-Za-z][A-Za-z0-9_-]*")
 
-        /** Reserved names of Windows, and keywords of Jason's project files. */
+        /** Reserved Windows names, and keywords of Jason project files. */
         private val TAKEN = setOf("con", "prn", "aux", "nul") + (1..9).flatMap { listOf("com$it", "lpt$it") } +
             setOf("agents", "environment", "infrastructure", "mas")
 

@@ -10,18 +10,19 @@ import java.nio.file.Path
 import java.util.PriorityQueue
 
 /**
- * The messages of several recordings, sorted by their times on the first recording's clock. For one thread.
+ * The messages of several recordings, in the order of their times on the first recording's clock. Not safe for use by several threads at
+ * once.
  *
- * @param readers the recordings by their files
+ * @param readers the recordings, by file
  */
 internal class JointMessages(private val readers: Map<Path, McapReader>) {
-    /** A message with its file, and its time by the first recording's clock, in ns. */
+    /** A message, its file, and its time in ns by the first recording's clock. */
     class Timed(val file: Path, val ns: Long, val message: McapMessage)
 
-    /** How far each recording's clock is ahead of the first recording's clock; null: no messages between agents show it. */
+    /** The lead of each recording's clock over the first recording's clock, or null if no messages between agents show it. */
     val differences: Map<Path, ClockDifference?> by lazy { differencesOf(readers.keys.toList()) }
 
-    /** The time of the first message, in ns; null: there is none. */
+    /** The time of the first message in ns, or null if there is none. */
     val firstNs: Long? get() = readers.mapNotNull { (file, reader) -> reader.times?.first?.minus(aheadNs(file)) }.minOrNull()
 
     private fun aheadNs(file: Path) = differences[file]?.ns ?: 0
@@ -56,7 +57,6 @@ internal class JointMessages(private val readers: Map<Path, McapReader>) {
             }
         }
 
-        /** Returns the recording of agents in [file]; null: it contains no agents. */
         fun recordingOf(file: Path): Recording? = try {
             Recording(file)
         } catch (_: RecordingException) {

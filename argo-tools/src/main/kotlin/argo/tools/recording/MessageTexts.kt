@@ -5,10 +5,10 @@ import argo.mcap.McapException
 import argo.mcap.McapMessage
 import argo.mcap.RosMessages
 
-/** Returns the texts of messages, as JSON for those of ROS 2. [problems] has a sentence for each reason why some cannot be read. */
+/** Returns the texts of messages. A ROS 2 message becomes JSON. [problems] has a sentence for each reason why messages cannot be read. */
 internal class MessageTexts {
     private val found = LinkedHashSet<String>()
-    private val types = HashMap<McapChannel, RosMessages?>() // null: the channel's messages are not of ROS 2, or cannot be read
+    private val types = HashMap<McapChannel, RosMessages?>() // null if the channel has no ROS 2 messages, or unreadable ones
 
     val problems: Set<String> get() = found
 

@@ -118,7 +118,7 @@ internal class RecordingCommand : DataCommand() {
     private fun parsed(text: String): JsonElement = try {
         Json.parseToJsonElement(text)
     } catch (_: SerializationException) {
-        JsonPrimitive(text) // another program's recording may contain other formats
+        JsonPrimitive(text) // recordings of other programs may contain other formats
     }
 
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {

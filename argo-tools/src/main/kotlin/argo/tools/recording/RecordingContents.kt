@@ -10,7 +10,10 @@ import argo.tools.command.table
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** A channel with the number of its messages. [first] and [last] are the seconds from the recording's start to its messages. */
+/**
+ * A channel and the number of its messages. [first] and [last] are the times of its first and last message, in s from the recording's
+ * start.
+ */
 private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
 
 internal class RecordingContents(private val recording: McapReader) {

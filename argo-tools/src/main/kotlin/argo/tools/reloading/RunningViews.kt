@@ -15,9 +15,8 @@ import java.net.http.HttpRequest.BodyPublishers
 import java.net.http.HttpResponse.BodyHandlers
 import java.time.Duration
 
-/** The live views of a running program's agents, at [port] of this computer. */
+/** The live views of a running program's agents, at [port] on this computer. */
 internal class RunningViews(private val port: Int) {
-    /** The address of the views. */
     val address: URI = URI("http://127.0.0.1:$port/")
     private val client = HttpClient.newBuilder().connectTimeout(LIMIT).build()
 
@@ -29,7 +28,7 @@ internal class RunningViews(private val port: Int) {
     fun agents(): List<String> = answer(request("agents")).second.getValue("agents").jsonArray.map { it.jsonPrimitive.content }
 
     /**
-     * Makes [agent] read its program and filters anew.
+     * Makes [agent] reload its program and filters.
      *
      * @throws ToolException if no live view responds
      */
@@ -41,7 +40,6 @@ internal class RunningViews(private val port: Int) {
 
     private fun request(path: String) = HttpRequest.newBuilder(address.resolve("/$path")).timeout(LIMIT)
 
-    /** Returns the status and the content of the answer to [request]. */
     private fun answer(request: HttpRequest.Builder): Pair<Int, JsonObject> {
         val response = try {
             client.send(request.build(), BodyHandlers.ofString())
@@ -61,7 +59,7 @@ internal class RunningViews(private val port: Int) {
     private companion object {
         const val DONE = 200
 
-        /** The limit for an answer. A view waits up to three seconds for its agent. */
+        /** The longest wait for a response. A view waits up to three seconds for its agent. */
         val LIMIT: Duration = Duration.ofSeconds(10)
     }
 }
@@ -69,7 +67,7 @@ internal class RunningViews(private val port: Int) {
 /**
  * The outcome of a reload.
  *
- * @property isDone whether the agent runs the files as they are now
+ * @property isDone true if the agent runs the current files
  * @property words the changes, or the reason why there are none
  */
 internal class Reloading(val isDone: Boolean, val words: String)

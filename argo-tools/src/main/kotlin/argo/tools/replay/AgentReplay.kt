@@ -6,11 +6,10 @@ import argo.recording.replay.Replay
 import argo.tools.command.ToolException
 import java.nio.file.Path
 
-/** Replays the agents of the recording [file] as the [options] say. */
 internal class AgentReplay(private val file: Path, private val options: AgentReplayOptions) {
     /**
-     * Returns the result. With a port for debuggers, pauses an agent before the first cycle, until a debugger lets it go on. Calls
-     * [standing] with the agent's name, and with the files of programs that have changed since the recording.
+     * Returns the result of the replay. With a port for debuggers, an agent waits before its first cycle until a debugger continues it.
+     * [standing] then gets the agent's name, and the program files that have changed since the recording.
      * @throws RecordingException if no part of the recording can be replayed
      */
     fun run(standing: (agent: String, changed: List<Path>) -> Unit): ReplayReport = Recording(file).use { recording ->
@@ -65,7 +64,7 @@ internal class AgentReplay(private val file: Path, private val options: AgentRep
         }
     }
 
-    /** Does [work]. Returns null if [work] was finished, otherwise the reason why not. */
+    /** Does [work]. Returns null on success, or otherwise the reason of the failure. */
     private fun stopping(work: () -> Unit): String? = try {
         work()
         null

@@ -61,7 +61,6 @@ internal class AgentReplayOptions {
     var debugPort: Int? = null
         private set
 
-    /** Whether agents run with other programs, or with another filter, than in the recording. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
     @Option(

@@ -17,11 +17,12 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * Runs agents of the recording [file] with other programs or another filter, one after the other.
+ * Runs the agents of the recording [file] one by one with other programs or another filter.
  *
- * @param programs each is `AGENT=FILE`, or only `FILE` if the recording has only one agent
- * @param filter the filter that replaces the recorded ones, for all agents if there are no programs; null: the recorded filters
- * @param within the longest time by which a command may be earlier or later and still count as the same
+ * @param programs each one is `AGENT=FILE`, or only `FILE` if the recording has one agent
+ * @param filter the filter that replaces the recorded filters, or null for no replacement. The filter applies to all agents if [programs]
+ * is empty
+ * @param within the tolerance for the times of commands that count as equal
  */
 internal class AgentWhatIf(
     private val file: Path,
@@ -72,10 +73,10 @@ internal class AgentWhatIf(
 }
 
 /**
- * The result of [agent] with [what], which is another program or another filter.
+ * The result of [agent] with [what], another program or another filter.
  *
- * @property now the number of commands with [what]; [recorded] is that in the recording
- * @property problem the reason why the run could not be finished, in words; null: it was finished
+ * @property now the number of commands with [what]; [recorded] is the number in the recording
+ * @property problem the reason why the run was not finished, or null if it was
  */
 internal class WhatIfResult(
     val agent: String,
@@ -120,10 +121,8 @@ internal class WhatIfResult(
 
 /** The results for all agents. [damage] describes the unreadable parts of the file. */
 internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
-    /** A sentence for each part that could not be run or read. */
     val problems: List<String> get() = damage + results.mapNotNull { it.problem }
 
-    /** True if all agents send the recorded commands. */
     val isIdentical: Boolean get() = results.all { it.difference == null }
 
     fun lines(): List<String> = results.flatMap { it.lines() }

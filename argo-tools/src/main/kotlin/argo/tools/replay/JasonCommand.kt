@@ -6,7 +6,7 @@ import argo.tools.command.runJava
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 
-/** A tool that runs Jason: in this program if it has Jason and all that the tool needs, otherwise in another program. */
+/** A tool that runs Jason. The tool runs in this program if Jason and all other classes are there, and otherwise in another program. */
 @Command
 internal abstract class JasonCommand : DataCommand() {
     @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
@@ -16,7 +16,7 @@ internal abstract class JasonCommand : DataCommand() {
     protected val runsHere: Boolean get() = classPath == null && hasJason()
 
     /**
-     * Runs this tool in another program, with the same options and with [operands], and returns that program's exit status.
+     * Runs this tool in another program with these options and with [operands]. Returns its exit status.
      *
      * @throws ToolException if there is no Jason
      */
@@ -27,7 +27,7 @@ internal abstract class JasonCommand : DataCommand() {
         return runJava(program + givenWithout(CLASS_PATH) + "--" + operands)
     }
 
-    /** Tells the user that this program's properties for agents have no effect: recorded agents have the recorded options. */
+    /** Tells the user that properties for agents have no effect, since recorded agents have the recorded options. */
     protected fun tellUnusedOptions() {
         val unused = System.getProperties().stringPropertyNames().filter { it.startsWith("argo_") }.sorted()
         if (unused.isEmpty()) return

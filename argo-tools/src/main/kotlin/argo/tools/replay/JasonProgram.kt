@@ -17,20 +17,20 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program that runs for seconds. Such a program ends before better compilation pays off, and needs no
- * threads for garbage collection. A Java machine ignores those of these options that it does not know.
+ * Java options for programs that run for seconds. A short program ends before better compilation helps, and needs no threads for garbage
+ * collection. Java ignores unknown ones of these options.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** Tells the user which parts of [classPath], the option's value, do not exist: Java would silently ignore them. */
+/** Tells the user which parts of the option [classPath] do not exist. Java would ignore them silently. */
 internal fun tellAbsent(classPath: String?, err: PrintWriter) {
     val absent = classPath.orEmpty().split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
     if (absent.isNotEmpty()) err.println("of --class-path there is no ${absent.joinToString(" and no ")}")
 }
 
 /**
- * Returns the class path of this program, with [classPath] and Jason added; null: there is no Jason. A part that ends in `*` means all jars
- * of a folder.
+ * Returns the class path of this program with [classPath] and Jason added, or null if there is no Jason. An entry that ends in `*` means
+ * all jars of a folder.
  */
 fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
@@ -38,14 +38,14 @@ fun classPathWithJason(classPath: String?): String? {
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
 }
 
-/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java understands but Kotlin's compiler does not. */
+/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, since only Java understands it. Kotlin's compiler does not. */
 fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
     val folder = entry.removeSuffix("*")
     if (entry == folder) listOf(Path.of(entry))
     else Path.of(folder).takeIf { it.isDirectory() }?.listDirectoryEntries("*.jar").orEmpty()
 }
 
-/** Explains to the user that [work] needs Jason. Names the folders of classes in [project]. */
+/** Returns the message that [work] needs Jason. The message mentions the class folders in [project]. */
 internal fun missingJason(work: String = "a replay", project: Path = Path.of("")): String {
     val built = listOf("target/classes" to "Maven", "build/classes/java/main" to "Gradle")
     val there = built.filter { (folder, _) -> project.resolve(folder).isDirectory() }

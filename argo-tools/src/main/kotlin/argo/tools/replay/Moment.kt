@@ -5,7 +5,7 @@ import picocli.CommandLine.ITypeConverter
 import picocli.CommandLine.TypeConversionException
 import java.math.BigDecimal
 
-/** A moment of a recording: a number of seconds after its first cycle, or a cycle of an agent. */
+/** A time in a recording: seconds after the first cycle, or a cycle of an agent. */
 internal sealed interface Moment {
     data class Time(val ns: Long) : Moment {
         override fun toString() = "${BigDecimal.valueOf(ns, NANO_DIGITS)}"

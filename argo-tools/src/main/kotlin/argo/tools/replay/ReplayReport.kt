@@ -7,17 +7,19 @@ import argo.tools.command.jsonOf
 import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
-/** The recording lacks the first cycles of [agent]. Its replay begins after the [cycle] that began at [ns]. */
+/**
+ * The replay of [agent] starts late, since the recording lacks its first cycles. The replay starts after the [cycle] that started at [ns].
+ */
 internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
 
 /**
  * The result of a replay.
  *
- * @property beginnings where the replay begins for agents whose first cycles are missing
- * @property recordedNs the time from the first cycle to the last replayed one
- * @property refusals the cycles that cannot be replayed; each ends the replay of its agent
+ * @property beginnings the start of the replay for each agent whose first cycles are missing
+ * @property recordedNs the time from the first cycle to the last replayed cycle
+ * @property refusals the cycles that cannot be replayed. Each ends the replay of its agent
  * @property beliefs the beliefs of the requested agents
- * @property problems a sentence for each part that could not be replayed
+ * @property problems a sentence for each part that was not replayed
  */
 internal class ReplayReport(
     private val agents: List<String>,
@@ -34,18 +36,17 @@ internal class ReplayReport(
 ) {
     private val course = differences.filterNot { it.isOfResult }
 
-    /** For each agent and kind of difference in results: the first difference, and the number of such differences. */
+    /** For each agent and kind of difference in results: the first difference, and the number of differences. */
     private val results = differences.filter { it.isOfResult }.groupBy { it.agent to it.what }.values.map { it.first() to it.size }
 
-    /** True if the agents acted as recorded. */
     val isIdentical: Boolean get() = course.isEmpty()
 
     val isWhole: Boolean get() = refusals.isEmpty()
 
-    /** Whether the agents acted as recorded, and all actions and functions gave the recorded results. */
+    /** True if the agents acted as recorded, and if all actions and functions gave the recorded results. */
     val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
 
-    /** Returns the report on the recording [name] for the user; with [isCheck], also on all that is not deterministic. */
+    /** Returns the report on the recording [name]. With [isCheck], includes everything that is not deterministic. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {

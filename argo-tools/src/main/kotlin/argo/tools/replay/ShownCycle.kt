@@ -18,7 +18,7 @@ internal class ShownCycle(private val agent: String, val cycle: Cycle) {
         "$agent, cycle ${cycle.number}: ${words.joinToString().ifEmpty { "only input" }}"
     }
 
-    /** Returns the cycle's course as JSON. The cycle began [seconds] after the first one. */
+    /** Returns the events of the cycle as JSON. [seconds] is the time of the cycle after the first one. */
     fun json(seconds: Double): JsonObject = cycle.course.run {
         jsonOf(
             "agent" to agent, "cycle" to cycle.number, "seconds" to seconds, "event" to event,

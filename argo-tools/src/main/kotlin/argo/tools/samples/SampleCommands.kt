@@ -12,7 +12,7 @@ import picocli.CommandLine.Unmatched
 import java.nio.file.Path
 import java.util.concurrent.Callable
 
-/** A command that runs the program in [module], `samples` or `experiment`, with [words] and then all arguments unchanged. */
+/** Runs the program in [module], `samples` or `experiment`, with [words] and all arguments unchanged. */
 @Command
 internal abstract class SampleProgramCommand(private val module: String, private vararg val words: String) : Callable<Int> {
     @Spec
@@ -30,7 +30,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
         return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "$module.MainKt") + words + arguments)
     }
 
-    /** Prints only this command's own help: the samples, which have options of their own, are [missing]. */
+    /** Prints this command's own help. The options of the samples are [missing]. */
     private fun help(missing: ToolException): Int {
         spec.commandLine().usage(spec.commandLine().out)
         spec.commandLine().out.println("\nIts options cannot be listed: ${missing.message}")

@@ -13,21 +13,22 @@ import java.util.concurrent.TimeUnit
 /**
  * The answer of the tool `why`.
  *
- * @property lines the sentences of the answer. A sentence is indented by two blanks for each cause above it. Empty: there is no answer.
- * @property trouble the reason why there is no answer, or the parts that the recording lacks; empty: the answer is complete
+ * @property lines the sentences of the answer. Two blanks of indentation stand for one level of causes. Empty if there is no answer
+ * @property trouble the reason why there is no answer, or the missing parts of the recording; empty if the answer is complete
  */
 class Told(val lines: List<String>, val trouble: String)
 
 /**
- * Runs the tool `why` in a Java machine of its own. A program with running agents must not replay an agent itself: a replay sets Jason's
- * counters for all agents of its program, and takes memory and processor time. Answers one question at a time; any thread may ask.
+ * Runs the tool `why` in a Java process of its own. A replay changes Jason's counters for all agents of its process, and takes memory and
+ * processor time. A program with running agents must therefore not replay one itself. Answers one question at a time. Any thread may ask.
  *
- * @param patienceS the longest time for an answer, in s
+ * @param patienceS the longest wait for an answer, in s
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Asks why [agent] sent its command [number] in the recordings [files], and waits for the answer. Only commands to boards are counted.
-     * @throws java.io.IOException if no other program can be started
+     * Asks why [agent] sent its command [number] in the recordings [files], and waits for the answer. [number] counts only commands to
+     * boards.
+     * @throws java.io.IOException if the process cannot be started
      */
     @Synchronized
     fun ask(files: List<Path>, agent: String, number: Long): Told {
@@ -51,10 +52,9 @@ class WhyProgram(private val patienceS: Long) {
         "java -jar argo.jar why FILE '#$number'"
 
     private companion object {
-        /** The options for output in UTF-8, whatever the language of this computer. */
+        /** Options for UTF-8 output on every computer. */
         val IN_UNICODE = listOf("file", "stdout", "stderr").map { "-D$it.encoding=UTF-8" }
 
-        /** The exit status of a program that SIGKILL has ended. */
         const val KILLED = 137
     }
 }

@@ -22,7 +22,6 @@ import argo.recording.why.UnknownCause
 import argo.recording.why.Verdict
 import argo.tools.command.counted
 
-/** Puts answers into short sentences. */
 internal class WhyText {
     private val lines = ArrayList<String>()
 
@@ -39,7 +38,7 @@ internal class WhyText {
         return lines
     }
 
-    /** Describes how a message was sent. The time is the one that `replay` shows for the sender's recording. */
+    /** Describes how a message was sent. The time is that of `replay` for the sender's recording. */
     private fun sent(sending: SentCause) {
         val took = sending.delayMs?.let { ", %.1f ms before it was taken".format(it) }.orEmpty()
         val clock = sending.clock?.let { "; compared with the first recording, its clock is $it" }.orEmpty()

@@ -1,20 +1,20 @@
 import argo.filters.*
 
-/** `dist(Side, Cm)`: the distance from one side of the robot to the next thing. */
+/** `dist(Side, Cm)`: the distance to the nearest object on one side of the robot. */
 object Dist : PerceptType("dist") {
     /** `front`, `back`, `left` or `right`. */
     val side by atom()
 
-    /** Centimetres. */
+    /** The distance in cm. */
     val cm by number()
 }
 
-/** Lets the robot see what is in front of it, and nothing else. */
+/** Keeps percepts of the front, and drops all others. */
 val frontOnly = keepFilter("frontOnly") {
     keep(Dist) { side eq "front" }
 }
 
-/** Offers the filters to agents by their names: `argo.change_filter(frontOnly)`. */
+/** Gives agents the filters by name: `argo.change_filter(frontOnly)`. */
 class RobotFilters : FilterProvider {
     override val filters = listOf(frontOnly)
 }

@@ -30,7 +30,7 @@ class RobotSpec : FunSpec({
             robot.board.disconnects()
             robot.shouldPrint("there is no board")
             robot.board.reconnects()
-            robot.perceives("dist(front,30)", within = 5.seconds).shouldSend("ledOn") // of the test's own time
+            robot.perceives("dist(front,30)", within = 5.seconds).shouldSend("ledOn") // in virtual time
         }
     }
 })

@@ -1,7 +1,7 @@
-// Turns the LED of its board on while something is near in front of it.
+// Turns the LED of its board on while something is near the front.
 
-// The board's port. This one is a recording, so that everything runs without a board; for a real one write its name: board(ttyACM0).
-// "java -jar lib/argo.jar ports" lists the ports that there are.
+// The port of the board. The port below is a recording, which needs no board. For a real board, write its port: board(ttyACM0). "java -jar
+// lib/argo.jar ports" lists the available ports.
 board("replay:recordings/drive.rec").
 
 !start.
@@ -24,10 +24,10 @@ board("replay:recordings/drive.rec").
     argo.act(ledOff);
     .print("the way is free").
 
-// Nothing is in sight any more.
+// Nothing is in sight.
 -dist(front, _) : led(on) & not dist(front, _) <-
     -+led(off);
     argo.act(ledOff).
 
-// ARGO reopens a port whose board is back.
+// ARGO reopens the port when its board is back.
 +port(Port, off) <- .print("there is no board at ", Port).

@@ -1,14 +1,14 @@
 // The board of @NAME@: an LED, a distance sensor HC-SR04 (Trig to pin 7, Echo to pin 8) and a light sensor at A1.
 //
 //   actions   ledOn, ledOff
-//   percepts  dist(front,Cm) while something is in sight, light(left,Value)
+//   percepts  dist(front,Cm) while an object is in sight, light(left,Value)
 
 #include <Javino.h>
 
 const uint8_t TRIGGER = 7;
 const uint8_t ECHO_PIN = 8;
 const unsigned long ECHO_LIMIT_US = 25000;
-const unsigned long US_PER_CM = 58;  // there and back
+const unsigned long US_PER_CM = 58;  // to the object and back
 
 Javino javino;
 
@@ -20,7 +20,7 @@ void ledOff() {
   digitalWrite(LED_BUILTIN, LOW);
 }
 
-// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is no sensor.
+// The distance to the object in front, in cm. 0 means no object within 4 m, or no sensor.
 unsigned long centimetres() {
   digitalWrite(TRIGGER, HIGH);
   delayMicroseconds(10);
@@ -39,7 +39,7 @@ void look() {
 
 void setup() {
   pinMode(TRIGGER, OUTPUT);
-  pinMode(ECHO_PIN, INPUT_PULLUP);  // without a sensor the pin would float, and see things
+  pinMode(ECHO_PIN, INPUT_PULLUP);  // without a sensor, the open pin would show false objects
   pinMode(LED_BUILTIN, OUTPUT);
   javino.act["ledOn"] = ledOn;
   javino.act["ledOff"] = ledOff;

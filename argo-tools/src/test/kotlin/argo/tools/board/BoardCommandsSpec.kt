@@ -216,7 +216,7 @@ class BoardCommandsSpec : FunSpec({
         PseudoTerminals.open().use { pair ->
             Transports.open(pair.board().path, LineSettings.defaults()).use { board ->
                 val bytes = "ready\r\n\u0000".toByteArray()
-                val sketch = thread { // again and again, since what comes before the port is open is lost
+                val sketch = thread { // repeats the bytes, since those sent before the port is open are lost
                     repeat(6) {
                         board.write(bytes, 0, bytes.size, 1000)
                         Thread.sleep(400)
@@ -453,7 +453,6 @@ private fun described(answer: String) = DescribedKinds(PerceptDescription.read(a
 
 private fun board(rules: (FakeBoard) -> Unit) = rules
 
-/** Runs [use] with the port of a board of these rules. */
 private fun ((FakeBoard) -> Unit).with(use: (String) -> Unit) = FakeBoard.plugIn("tools").use { board ->
     board.lenient()
     this(board)

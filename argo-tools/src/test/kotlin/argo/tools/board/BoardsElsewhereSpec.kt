@@ -18,7 +18,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.concurrent.CompletableFuture
 
-/** Boards on no line, such as robots that speak ROS: of this scheme there is one, and it says how often it was asked for. */
+/** Provides the scheme `elsewhere`, with one board and no serial line. */
 class ElsewhereProvider : BoardLinkProvider {
     override val scheme = "elsewhere"
 
@@ -40,7 +40,7 @@ private class Elsewhere : BoardLink {
     }
 
     override fun listen(timeoutMs: Int): BoardMessage? {
-        Thread.sleep(1) // as messages come
+        Thread.sleep(1) // the interval between messages
         return if (isWanted && ++said % 2 == 0) BoardMessage("said($said);", System.nanoTime()) else null
     }
 

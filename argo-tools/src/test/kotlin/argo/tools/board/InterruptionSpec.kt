@@ -18,7 +18,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readSymbolicLink
 import kotlin.io.path.writeText
 
-/** The effect of Ctrl-C on commands that run until then. The signal here is SIGTERM, because a build in the background ignores SIGINT. */
+/** Tests the effect of Ctrl-C on running commands. Sends SIGTERM, since background builds ignore SIGINT. */
 class InterruptionSpec : FunSpec({
     val folder = tempdir().toPath()
     val board = folder.resolve("board.rec").apply { writeText("javino-recording 1\n0\tout\tgetPercepts\n0\tin\tdist(f,1);\n") }
@@ -33,7 +33,7 @@ class InterruptionSpec : FunSpec({
         val recorded = folder.resolve("mine.rec")
         tool("monitor", "replay:$board", "--interval", "0", "--record", "$recorded") { process, said ->
             said.readLine() shouldContain "dist(f,1)"
-            process.toHandle().destroy() // process.destroy() would close its output too
+            process.toHandle().destroy() // process.destroy() would also close the output
             said.readText() shouldContain "recorded in $recorded"
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
@@ -49,7 +49,7 @@ class InterruptionSpec : FunSpec({
             val port = link.readSymbolicLink()
             port.exists() shouldBe true
             argo("replay", "$board", "--link", "$link") shouldBe Output(1, "", "$link exists already, and is not overwritten\n")
-            process.toHandle().destroy() // process.destroy() would close its output too
+            process.toHandle().destroy() // process.destroy() would also close the output
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
             port.parent.exists() shouldBe false
@@ -70,7 +70,7 @@ class InterruptionSpec : FunSpec({
 private const val LIMIT_S = 60L
 private const val TERMINATED = 128 + 15
 
-/** Runs a tool in a process of its own, which has ended behind this. */
+/** Runs a tool in its own process, and ends the process. */
 private fun tool(vararg arguments: String, use: (Process, BufferedReader) -> Unit) {
     val java = listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
     val program = java + listOf("-cp", System.getProperty("java.class.path"), "argo.tools.MainKt")

@@ -19,13 +19,12 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** `explore`, as its user runs it: each exploration is in a program of its own. */
+/** Tests `explore` as a user runs it, each exploration in its own process. */
 class ExploreCommandSpec : FunSpec({
     val folder = tempdir().toPath()
     val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
     val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
 
-    /** Runs a Java program with [arguments] in the folder, with [path] as `PATH`. */
     fun run(vararg arguments: String, path: String = System.getenv("PATH"), environment: Map<String, String> = emptyMap()): Output {
         val (out, err) = List(2) { createTempFile(folder, "output") }
         val process = ProcessBuilder(listOf(java, "-XX:TieredStopAtLevel=1") + arguments).directory(folder.toFile())
@@ -37,7 +36,7 @@ class ExploreCommandSpec : FunSpec({
     fun explore(vararg arguments: String, path: String = System.getenv("PATH")): Output =
         run("-cp", classPath, "argo.tools.MainKt", "explore", *arguments, path = path)
 
-    /** Writes a robot that drives on when it gets no percepts, unless it is mended. */
+    /** Writes a robot that does not stop without percepts. With [isMended], it stops. */
     fun robot(isMended: Boolean) = folder.resolve("robot.asl").writeText(
         """
         !start.
@@ -54,7 +53,7 @@ class ExploreCommandSpec : FunSpec({
     val board = arrayOf("--board", "ttyACM0 dist(front,5..200)")
     val blind = arrayOf("--rule", "stopsWhenBlind(stop,[front])")
 
-    /** Makes a `kotlinc` that runs the compiler on the class path, in a folder for `PATH`. */
+    /** Makes a folder for `PATH` with a `kotlinc` that runs the compiler on the class path. */
     fun kotlinc(): Path = folder.resolve("bin").createDirectories().also { bin ->
         val script = bin.resolve("kotlinc")
         script.writeText("#!/bin/sh\nexec '$java' -cp '$classPath' org.jetbrains.kotlin.cli.jvm.K2JVMCompiler -no-stdlib \"$@\"\n")
@@ -92,7 +91,7 @@ class ExploreCommandSpec : FunSpec({
         val kept = explore("robot.asl", *board, *blind, *few)
         withClue(kept) {
             kept.status shouldBe 0
-            kept.out shouldContain "no rule was broken in 5 runs" // and two without events
+            kept.out shouldContain "no rule was broken in 5 runs" // three random runs and two without events
         }
     }
 
@@ -137,7 +136,7 @@ class ExploreCommandSpec : FunSpec({
         robot(isMended = false)
         val broken = run(
             "-XX:+IgnoreUnrecognizedVMOptions", "-cp", classPath, "argo.tools.MainKt", "explore", "robot.asl", *board,
-            environment = mapOf("JDK_JAVA_OPTIONS" to "-XX:+NoSuchOption"), // which the program that starts it passes over
+            environment = mapOf("JDK_JAVA_OPTIONS" to "-XX:+NoSuchOption"), // the program that starts the exploration ignores this option
         )
         withClue(broken) {
             broken.status shouldBe 3

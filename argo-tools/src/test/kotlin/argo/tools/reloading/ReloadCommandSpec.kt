@@ -11,7 +11,7 @@ import io.kotest.matchers.string.shouldStartWith
 import java.net.InetAddress
 import java.net.InetSocketAddress
 
-/** The live views of robot and of "a b", which responds like argo.view.ViewServer. */
+/** Live views of the agents robot and "a b", with the responses of argo.view.ViewServer. */
 private class Views : AutoCloseable {
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), 0), 0)
     val answers = hashMapOf("/robot/reload" to (200 to "1 plan changed"), "/a%20b/reload" to (200 to "nothing has changed"))

@@ -6,7 +6,6 @@ import io.kotest.matchers.shouldBe
 import java.io.File
 import kotlin.io.path.createDirectories
 
-/** The message that there is no Jason. */
 class JasonProgramSpec : FunSpec({
     val project = tempdir().toPath()
     val said = "an exploration runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as "

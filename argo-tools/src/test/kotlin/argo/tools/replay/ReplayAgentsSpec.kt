@@ -30,7 +30,6 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** `replay` of a recording of agents. */
 class ReplayAgentsSpec : FunSpec({
     val directory = tempdir().toPath()
 
@@ -60,7 +59,6 @@ class ReplayAgentsSpec : FunSpec({
         after(300.milliseconds)
     }
 
-    /** Makes a recording with this metadata of an agent that reads [program], whose first cycle has this index. */
     fun made(
         name: String,
         program: String = "!start.",
@@ -261,7 +259,7 @@ class ReplayAgentsSpec : FunSpec({
     }
 
     test("a debugger that cannot reach the agents is refused, and one of other programs than the recorded") {
-        argo("replay", "$drive", "--debug", "4711").run { // the module for debuggers is not on the class path here
+        argo("replay", "$drive", "--debug", "4711").run { // the debugging module is not on this class path
             status shouldBe 1
             err shouldBe "no debugger can reach agent agent at port 4711; the log says why\n"
         }

@@ -10,7 +10,7 @@ import io.kotest.matchers.string.shouldContain
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.milliseconds
 
-@Isolate // since the properties of the program are those of all specs
+@Isolate // the specs of this program share its properties
 class UnusedOptionsSpec : FunSpec({
     test("options among the program's properties do not reach the agents of a recording, which is told") {
         val (drive, again) = tempdir().toPath().let { it.resolve("drive.mcap") to it.resolve("again.mcap") }

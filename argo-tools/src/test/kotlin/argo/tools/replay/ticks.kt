@@ -8,7 +8,6 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.NumberTermImpl
 import jason.asSyntax.Term
 
-/** An internal action of a project that reads a clock. */
 class ticks : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
         un.unifies(args[0], NumberTermImpl(System.nanoTime().toDouble()))

@@ -20,7 +20,6 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** `why` of a recording of agents. */
 class WhyCommandSpec : FunSpec({
     val directory = tempdir().toPath()
     val drive = directory.resolve("drive.mcap")

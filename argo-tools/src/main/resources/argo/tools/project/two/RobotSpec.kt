@@ -41,7 +41,7 @@ class RobotSpec : FunSpec({
             robot.shouldPrint("there is no board")
             robot.eyes().shows("dist(front,80)")
             robot.shouldBelieve("eyes::dist(front,80)").lamp().reconnects()
-            robot.shouldBelieve("not port(_,off)", within = 5.seconds) // of the test's own time
+            robot.shouldBelieve("not port(_,off)", within = 5.seconds) // in virtual time
             robot.eyes().shows("dist(front,30)")
             robot.shouldSend("ledOn")
         }

@@ -1,17 +1,17 @@
 // The eyes of @NAME@: a distance sensor HC-SR04 (Trig to pin 7, Echo to pin 8) and a light sensor at A1.
 //
-//   percepts  dist(front,Cm) while something is in sight, light(left,Value)
+//   percepts  dist(front,Cm) while an object is in sight, light(left,Value)
 
 #include <Javino.h>
 
 const uint8_t TRIGGER = 7;
 const uint8_t ECHO_PIN = 8;
 const unsigned long ECHO_LIMIT_US = 25000;
-const unsigned long US_PER_CM = 58;  // there and back
+const unsigned long US_PER_CM = 58;  // to the object and back
 
 Javino javino;
 
-// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is no sensor.
+// The distance to the object in front, in cm. 0 means no object within 4 m, or no sensor.
 unsigned long centimetres() {
   digitalWrite(TRIGGER, HIGH);
   delayMicroseconds(10);
@@ -30,7 +30,7 @@ void look() {
 
 void setup() {
   pinMode(TRIGGER, OUTPUT);
-  pinMode(ECHO_PIN, INPUT_PULLUP);  // without a sensor the pin would float, and see things
+  pinMode(ECHO_PIN, INPUT_PULLUP);  // without a sensor, the open pin would show false objects
   javino.perceive(look);
   javino.start(9600);
 }

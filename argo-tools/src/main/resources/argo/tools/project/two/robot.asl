@@ -1,7 +1,7 @@
-// Turns the LED of one board on while something is near in front of the other.
+// Turns the LED of one board on while the other board sees something near.
 
-// The boards: their ports, and the namespaces of what they say. These are recordings, so that everything runs without a board; for real
-// ones write their names: port(ttyACM0,[as(eyes)]). "java -jar lib/argo.jar ports" lists the ports that there are.
+// The boards, each with its port and the namespace of its percepts. The ports below are recordings, which need no boards. For real boards,
+// write their ports: port(ttyACM0,[as(eyes)]). "java -jar lib/argo.jar ports" lists the available ports.
 boards([port("replay:recordings/drive.rec",[as(eyes)]), port("replay:recordings/lamp.rec",[as(lamp)])]).
 
 !start.
@@ -24,10 +24,10 @@ boards([port("replay:recordings/drive.rec",[as(eyes)]), port("replay:recordings/
     argo.act(lamp::ledOff);
     .print("the way is free").
 
-// Nothing is in sight any more.
+// Nothing is in sight.
 -eyes::dist(front, _) : led(on) & not eyes::dist(front, _) <-
     -+led(off);
     argo.act(lamp::ledOff).
 
-// ARGO reopens a port whose board is back.
+// ARGO reopens the port when its board is back.
 +port(Port, off) <- .print("there is no board at ", Port).
