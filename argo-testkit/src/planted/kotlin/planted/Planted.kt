@@ -21,14 +21,13 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
 /**
- * A small agent with a fault that beginners make, and the same agent without it. Both agents are in one file, `planted/NAME.asl`. Lines
- * that end in `//-` are the fault. In the mended agent these lines are left out, and lines that begin with `//+` lose this mark.
+ * A small agent with a beginner's fault, and the corrected agent. The file `planted/NAME.asl` contains both. Lines that end in `//-` belong
+ * to the fault. The corrected agent has the lines that begin with `//+`, without this mark, and no line that ends in `//-`.
  *
  * @property rule the name of the rule that the fault breaks
- * @property describe describes the board and the rules, which do not depend on the fault
+ * @property describe describes the board and the rules, which are equal for both agents
  */
 class Planted(val name: String, val rule: String, val describe: Exploration.() -> Unit) {
-    /** Writes the agent into [folder], with its fault or mended, and returns its file. */
     fun write(folder: Path, isMended: Boolean): Path {
         val lines = checkNotNull(javaClass.getResource("/planted/$name.asl")) { "there is no $name.asl" }.readText().lines()
         val text = lines.filterNot { isMended && it.endsWith("//-") }.map { if (isMended) it.removePrefix("//+ ") else it }
@@ -38,7 +37,6 @@ class Planted(val name: String, val rule: String, val describe: Exploration.() -
     override fun toString() = name
 }
 
-/** All planted faults. */
 val PLANTED: List<Planted> = listOf(
     Planted("ages", "stops when blind") { driver() },
     Planted("silence", "stops when blind") { driver() },
@@ -71,7 +69,7 @@ private const val NEAR = "dist(front,D) & D < 20"
 
 private val MOVING = listOf("front", "left", "steer")
 
-/** Describes a robot that drives towards things and stops before them. */
+/** Describes a robot that drives towards objects and stops in front of them. */
 private fun Exploration.driver(vararg more: Rule, isVersion2: Boolean = false) {
     board("ttyACM0") {
         if (isVersion2) version2()
@@ -85,7 +83,6 @@ private fun Exploration.driver(vararg more: Rule, isVersion2: Boolean = false) {
     )
 }
 
-/** Returns the rules for every planted agent. */
 private fun any() = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(intentions = 10, beliefs = 30), neverFloods(10),
     neverOscillates(), perceivesAgain(),

@@ -1,4 +1,4 @@
-// Planted: it goes by the belief dist(front,_), which stays when the board says nothing more.
+// Fault: it uses the belief dist(front,_), which stays when the board is silent.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -8,7 +8,7 @@
 //+ +!drive : argo.age(dist(front, D), Ms) & Ms < 500 & D > 30 <- !send(front); .wait(400); !drive.
 +!drive <- !send(stop); .wait(400); !drive.
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

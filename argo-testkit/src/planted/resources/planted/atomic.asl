@@ -1,4 +1,4 @@
-// Planted: the greeting is atomic and waits in the middle. Nothing else is done meanwhile, not even to stop.
+// Fault: the greeting plan is atomic and waits in the middle. No other plan can run meanwhile, not even one that stops the robot.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 @greet[atomic] //-
 +dist(front, D) : D > 90 & D < 110 <- .print("hello"); .wait(2500); .print("nice to meet you").
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

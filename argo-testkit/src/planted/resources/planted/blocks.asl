@@ -1,4 +1,4 @@
-// Planted: it blocks percepts while it turns, and when the turn fails it does not open them again.
+// Fault: it blocks percepts while it turns. If the turn fails, it does not open them again.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

@@ -1,10 +1,10 @@
-// Planted: it waits for the answer to a command without a time limit. A board that restarts meanwhile never gives it.
+// Fault: it waits for the percept place(home) without a time limit. A board that restarts meanwhile never sends it.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !work.
 -!start[error(E)] <- .print("no board: ", E); .wait(1000); !start.
 
-// Where the arm is, the board says itself; when it has lost its place the arm is sent home.
+// The board reports the place of the arm. If it has lost the place, the arm drives home.
 +!work : place(lost) <- !home; .wait(500); !work.
 +!work <- .wait(500); !work.
 

@@ -1,4 +1,4 @@
-// Planted: it looks at the distance, thinks for two seconds and then drives by what it saw before.
+// Fault: it reads the distance, waits for two seconds, and then drives by the old distance.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -14,7 +14,7 @@
 +dist(front, D) : D < 50 <- !send(stop).
 +stale(_) <- !send(stop).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

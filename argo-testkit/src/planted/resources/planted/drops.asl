@@ -1,4 +1,4 @@
-// Planted: when the board is silent it drops all intentions, to begin afresh; its own loop is one of them.
+// Fault: if the board is silent, it drops all intentions, including its own loop.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

@@ -1,4 +1,4 @@
-// Planted: it stops at exactly 30 cm. Sensors skip values.
+// Fault: it stops at exactly 30 cm. Sensors may skip this value.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 //+ +!drive : dist(front, D) & D <= 30 <- !send(stop); .wait(400); !drive.
 +!drive <- .wait(400); !drive.
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,4 +1,4 @@
-// Planted: it sends its speed with each change of the distance, however fast the sensor changes.
+// Fault: it sends its speed at each change of the distance, however fast the sensor changes.
 !start.
 
 +!start <- argo.port(ttyACM0, [baud(115200)]); argo.limit(0); argo.percepts(open).

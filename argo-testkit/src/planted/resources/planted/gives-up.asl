@@ -1,4 +1,4 @@
-// Planted: the plan for a failed command reports it and ends there, and with it the loop that drives.
+// Fault: the plan for a failed command prints the failure, and the driving loop ends there.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

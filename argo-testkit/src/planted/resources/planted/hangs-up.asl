@@ -1,4 +1,4 @@
-// Planted: it closes its port when the board does not answer, to be safe, and never opens it again.
+// Fault: if the board does not answer, it closes its port and never opens it again.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 +port(P, timeout) <- .print("no answer from ", P); argo.port(none). //-
 //+ +port(P, timeout) <- .print("no answer from ", P).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

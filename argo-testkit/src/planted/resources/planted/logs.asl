@@ -1,4 +1,4 @@
-// Planted: each change of the distance begins an intention that lives for five seconds.
+// Fault: each change of the distance starts an intention that lasts five seconds.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 +dist(front, D) <- .wait(5000); .print("five seconds ago it was ", D). //-
 //+ +dist(front, D) <- .print("it is ", D).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

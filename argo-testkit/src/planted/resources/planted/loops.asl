@@ -1,4 +1,4 @@
-// Planted: each order begins one more loop, and none of the earlier ones ends.
+// Fault: each order starts another loop, and no earlier loop ends.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open).

@@ -1,4 +1,4 @@
-// Planted: while there is no line it asks itself again at once, without waiting for anything.
+// Fault: without a percept line(_), a plan posts its own goal again at once.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); .wait(500); !follow.
@@ -9,7 +9,7 @@
 +!follow <- !follow. //-
 //+ +!follow <- !send(stop); .wait(400); !follow.
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,4 +1,4 @@
-// Planted: it waits for the next change of the distance without a time limit, and there may be none.
+// Fault: it waits for the next change of the distance without a time limit. There may be no change.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -12,7 +12,7 @@
 //+ +!wait_for_change <- .wait("+dist(front,_)", 1000).
 -!wait_for_change.
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,4 +1,4 @@
-// Planted: it notes that it has stopped before it has, and does not look whether the command failed.
+// Fault: it adds the belief stopped before the stop succeeds, and ignores a failure of the command.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

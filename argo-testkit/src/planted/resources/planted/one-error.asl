@@ -1,4 +1,4 @@
-// Planted: its failure plan is only for a cable that is out. A board that hangs fails a command with another error.
+// Fault: its failure plan handles only an unplugged cable. If the board hangs, the command fails with another error.
 !start.
 
 +!start <- argo.port(ttyACM0, [protocol(2)]); argo.limit(100); argo.percepts(open); !drive.

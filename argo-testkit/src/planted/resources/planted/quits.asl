@@ -1,4 +1,4 @@
-// Planted: a cable that is out ends the whole program, as an exception in a script would.
+// Fault: an unplugged cable ends the whole program, like an exception in a script.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 +port(P, off) <- .print("no board at ", P); .stopMAS. //-
 //+ +port(P, off) <- .print("no board at ", P).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,4 +1,4 @@
-// Planted: it remembers each distance it has seen with a number, for a mean, and forgets none.
+// Fault: it keeps each distance with a number to compute a mean, and forgets none.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -12,7 +12,7 @@ count(0).
 +dist(front, D) : count(N) <- -+count(N + 1); +seen(N, D). //-
 //+ +dist(front, D) : count(N) <- -+count(N + 1); .abolish(seen(N - 10, _)); +seen(N, D).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,4 +1,4 @@
-// Planted: it opens its port again itself when the cable is out, at once, and has no plan for the failure of that.
+// Fault: if the cable is unplugged, it reopens its port itself at once. No plan handles a failure of the reopening.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
@@ -10,7 +10,7 @@
 +!open(P) <- argo.port(P).
 //+ -!open(P)[error(E)] <- .print(P, ": ", E).
 
-// Sends a command unless it was the last one, and reports it if that fails.
+// Sends a command if it differs from the last one. Prints a failure.
 +!send(C) : last(C).
 +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
 -!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

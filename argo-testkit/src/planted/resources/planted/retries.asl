@@ -1,4 +1,4 @@
-// Planted: it repeats a failed command at once. While the cable is out each attempt fails at once, so it reasons without an end.
+// Fault: it repeats a failed command at once. While the cable is unplugged, each attempt fails at once, so it reasons without end.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

@@ -1,4 +1,4 @@
-// Planted: all its plans wait for changes of the distance, and a board that is silent changes nothing.
+// Fault: all its plans wait for changes of the distance. A silent board changes nothing.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open).

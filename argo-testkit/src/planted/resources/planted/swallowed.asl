@@ -1,4 +1,4 @@
-// Planted: the failure of a command is caught so that the console stays clean, and nobody gets to know of it.
+// Fault: it catches the failure of a command to keep the console clean. Nobody learns of the failure.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open).

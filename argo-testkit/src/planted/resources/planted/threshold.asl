@@ -1,4 +1,4 @@
-// Planted: one threshold for driving and for stopping. A sensor that flickers there has it start and stop all the time.
+// Fault: driving and stopping use one threshold. If a sensor flickers there, the robot starts and stops all the time.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open).

@@ -1,4 +1,4 @@
-// Planted: no plan for the failure of a command, which the next pulled cable makes happen.
+// Fault: it has no plan for a failed command, and an unplugged cable makes a command fail.
 !start.
 
 +!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.

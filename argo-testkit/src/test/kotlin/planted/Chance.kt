@@ -29,27 +29,24 @@ import kotlin.io.path.createTempFile
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.readText
 
-/** An internal action of a project that binds its argument to [value], which is another one each time. */
+/** An internal action that binds its argument to [value], which differs at each call. */
 abstract class SourceOfChance(private val value: () -> Any) : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
         un.unifies(args[0], ASSyntax.createString("${value()}"))
 }
 
-/** Reads a clock. */
 class clock : SourceOfChance(System::nanoTime)
 
-/** Draws a number. */
 class dice : SourceOfChance(Math::random)
 
-/** Makes a name that nobody else has. */
 class name : SourceOfChance(UUID::randomUUID)
 
-/** Takes the order of a set of objects that have no hash of their own. */
+/** Takes the order of a set of objects without a hash code of their own. */
 class order : SourceOfChance({
     List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" }
 })
 
-/** Takes what a thread has counted. */
+/** Takes a number that a thread has set. */
 class counted : SourceOfChance({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
 
 /** Counts its calls in the whole program. */
@@ -59,65 +56,60 @@ class calls : SourceOfChance(CALLS::incrementAndGet) {
     }
 }
 
-/** Reads a file that changes, as another program may change it. */
 class file : SourceOfChance({ FILE.readText().also { FILE.appendText("x") } }) {
     private companion object {
         val FILE = createTempFile("planted").apply { toFile().deleteOnExit() }
     }
 }
 
-/** Reads a setting of the program, which stays for each of its runs. */
+/** Reads a property, which is constant in each run of the program. */
 class setting : SourceOfChance({ System.getProperty(PROPERTY) }) {
     companion object {
         const val PROPERTY = "planted.setting"
     }
 }
 
-/** Gives the name of a new file. */
 class scratch : SourceOfChance({ createTempFile("planted").also { it.deleteExisting() } })
 
-/** Gives the number of a new thread. */
 class worker : SourceOfChance({ Thread {}.id })
 
-/** Gives several ways, in an order of chance. */
+/** Gives several solutions in random order. */
 class ways : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = List(4) { System.nanoTime() + it }.map { value ->
         un.clone().also { it.unifies(args[0], ASSyntax.createString("$value")) }
     }.iterator()
 }
 
-/** Fails by chance, with a message of chance. */
+/** Fails at random, with a random message. */
 class failing : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
         throw jason.JasonException("failed at ${System.nanoTime()}", ASSyntax.createAtom("chance"))
 }
 
-/** Adds a belief that is not its result. */
+/** Adds a belief beside its result. */
 class believes : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
         ts.ag.addBel(ASSyntax.createLiteral("drawn", ASSyntax.createString("${System.nanoTime()}")))
 }
 
-/** Prints the time, as a plan prints. */
 class prints : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also { ts.logger.info("${System.nanoTime()}") }
 }
 
-/** Has another thread put an event into the agent's queue, while the cycle goes on. */
+/** Makes another thread add an event to the agent's queue during the cycle. */
 class rings : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         thread { ts.c.addExternalEv(ASSyntax.parseTrigger("+ring(1)")) }.join()
     }
 }
 
-/** Has another thread add a belief. */
 class tells : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         thread { ts.ag.addBel(ASSyntax.createLiteral("told")) }.join()
     }
 }
 
-/** Has a thread, which counts, resume the intention with the count. */
+/** Makes a counting thread resume the intention with the count. */
 class counts : ConcurrentInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val key = suspendInt(ts, "counting", 0)
@@ -131,7 +123,7 @@ class counts : ConcurrentInternalAction() {
     override fun timeout(ts: TransitionSystem, key: String) = failInt(ts, key)
 }
 
-/** Leaves work for the next cycle that changes nothing of the agent; it writes, for example, the agent to a file. */
+/** Schedules work for the next cycle. The work does not change the agent. */
 class later : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         thread { ts.runAtBeginOfNextCycle { DONE.incrementAndGet() } }.join()
@@ -143,26 +135,24 @@ class later : DefaultInternalAction() {
     }
 }
 
-/** Leaves work for the next cycle that adds a belief. */
+/** Schedules work for the next cycle. The work adds a belief. */
 class afterwards : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         ts.runAtBeginOfNextCycle { ts.ag.addBel(ASSyntax.createLiteral("late")) }
     }
 }
 
-/** Sends a message besides its result. */
 class reports : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         ts.agArch.sendMsg(Message("tell", ts.agArch.agName, "boss", ASSyntax.createLiteral("done")))
     }
 }
 
-/** Gives a Java object. */
 class today : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = un.unifies(args[0], ObjectTermImpl(Date(0)))
 }
 
-/** A function that drifts. */
+/** A function whose value changes. */
 class drift : DefaultArithFunction() {
     override fun getName() = "planted.drift"
 
@@ -171,20 +161,17 @@ class drift : DefaultArithFunction() {
     override fun evaluate(ts: TransitionSystem?, args: Array<Term>) = System.nanoTime().toDouble()
 }
 
-/** An agent of a project. */
 class Moody : Agent()
 
-/** A belief base of a project. */
 class Shuffled : DefaultBeliefBase()
 
-/** A belief base whose database is not to be reached. */
+/** A belief base with an unreachable database. */
 class Unreachable : ChainBBAdapter() {
     override fun iterator(): MutableIterator<Literal> = error("no connection")
 
     override fun size(): Int = error("no connection")
 }
 
-/** An architecture of a project, that counts how often it is made. */
 class Counted(platform: Platform) : Arch(platform) {
     init {
         made++
@@ -195,7 +182,7 @@ class Counted(platform: Platform) : Arch(platform) {
     }
 }
 
-/** A class that nobody is to make. */
+/** A class that a replay must never instantiate. */
 class Bomb : java.io.Serializable {
     init {
         explosions++
@@ -211,7 +198,7 @@ class Bomb : java.io.Serializable {
     }
 }
 
-/** Writes the agent's plans and intentions, as a project that keeps its agents does. */
+/** Serializes the agent's plans and its work for the next cycle. */
 class writes : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val bytes = ByteArrayOutputStream()

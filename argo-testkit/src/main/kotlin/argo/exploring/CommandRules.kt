@@ -5,8 +5,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * No command is lost unnoticed: each command has an outcome within the time [within]. Within the same time after a failure, the agent sends
- * a command, prints something or sends a message. A command that a later one has replaced does not count as failed.
+ * No command is lost unnoticed. Each command has an outcome within the time [within]. After a failure, the agent sends a command, prints
+ * something or sends a message, also within [within]. A command that was replaced by a later one does not count as failed.
  */
 fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoCommand", "loses no command", within) { run, agent ->
     val entries = run.of(agent)
@@ -14,9 +14,9 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends one of [commands] again. For this it has the time [within], from its next perception of the
- * board. The rule applies only if the percepts stay those on which the command was based. An agent that breaks the rule may believe that it
- * has stopped while it drives on.
+ * If one of [commands] fails, the agent sends one of [commands] again. The agent sends it within the time [within], counted from its next
+ * perception of the board. The rule applies only while the percepts of the first command stay unchanged. Without this rule, an agent may
+ * believe that it has stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
     ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->
@@ -37,8 +37,8 @@ fun neverFloods(most: Int = 20): Rule = ReadyRule("neverFloods", "never floods",
 }
 
 /**
- * An agent does not alternate between two commands: in any second it changes back at most [most] times. The commands A, B, A are one change
- * back.
+ * An agent does not alternate between two commands. In any second, it changes back at most [most] times. The commands A, B, A are one
+ * change back.
  */
 fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never oscillates", most) { run, agent ->
     run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
@@ -52,15 +52,15 @@ fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never o
 }
 
 /**
- * Agents send only these [actions], in the notation of the test kit's `knows`: `ledOn`, `speed/1`, or `say/` and a star for any number of
- * arguments.
+ * Agents send only these [actions]: `ledOn`, `speed/1`, or `say/` and a star for any number of arguments. The notation is that of the test
+ * kit's `knows`.
  */
 fun sendsOnly(actions: List<String>): Rule = ReadyRule("sendsOnly", "sends only known commands", actions) { run, agent ->
     run.planned(agent).firstOrNull { !isKnown(it.command, actions) }
         ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
 }
 
-/** An agent that has sent commands sends another one at most [within] after the last event has ended. */
+/** An agent that has sent commands sends another one within the time [within] after the last event. */
 fun actsAgain(within: Duration = 5.seconds): Rule = ReadyRule("actsAgain", "acts again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.planned(agent).lastOrNull()
@@ -87,7 +87,7 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
             else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and the agent does nothing about it")
         }
 
-/** Errors after which an agent need not repeat the command. */
+/** Errors after which an agent need not send the command again. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {

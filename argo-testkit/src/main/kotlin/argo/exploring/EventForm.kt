@@ -12,11 +12,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields, a form that is easily turned into Kotlin code, JSON and simpler events. The [fields] are in
- * the order of the constructor; each is a [Duration], an [Int] or a [String].
+ * A [WorldEvent] as kind and fields. An event as kind and fields is easily turned into Kotlin code, JSON and simpler events. The [fields]
+ * have the order of the constructor. Each is a [Duration], an [Int] or a [String].
  */
 internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
-    /** The event's constructor call in Kotlin. */
     val kotlin: String get() = "$kind(${fields.joinToString { (_, value) -> kotlinOf(value) }})"
 
     /** The event as a JSON object, with times in ms. */
@@ -86,7 +85,7 @@ internal fun kotlinOf(value: Any): String = when (value) {
     else -> "$value"
 }
 
-/** Writes the events as a JSON array with one object a line. */
+/** Writes the events as a JSON array with one object on each line. */
 fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n  ", "\n]\n") { it.form.json }
 
 /**
@@ -96,11 +95,11 @@ fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n
  */
 fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonObject ?: throw noEvents("$it is no object")).event() }
 
-/** Uses Jason's JSON library: in `argo.jar` the classes of the filters' JSON library have other names. */
+/** Uses Jason's JSON library. `argo.jar` contains the JSON library of the filters under other names. */
 private fun arrayIn(json: String): List<JsonValue> = try {
     Json.createParser(StringReader(json)).use { parser ->
         if (parser.next() != JsonParser.Event.START_ARRAY) throw noEvents("it is no array")
-        parser.array.also { parser.hasNext() } // hasNext refuses any text behind the array
+        parser.array.also { parser.hasNext() } // hasNext fails on text behind the array
     }
 } catch (unreadable: JsonException) {
     throw noEvents("${unreadable.message}")

@@ -21,18 +21,17 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * Returns [events], with which [run] was played, and one more fault, which hits a command of [run]. The fault hits the command's board
-     * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
-     * exploration plays no fault that hits commands.
+     * Adds a fault to [events], the events of [run]. The fault hits a command of [run]: it begins shortly before the command, during its
+     * transfer, or at its outcome. Returns null if no command was sent, or if the exploration has no fault that hits commands.
      *
-     * A command is on its way so briefly that randomly drawn faults seldom hit it.
+     * A command takes so little time that random faults seldom hit it.
      */
     fun atCommand(run: Run, events: List<WorldEvent>, seed: Long): List<WorldEvent>? {
         val random = Random(seed.inv())
         val kinds = hits(random).takeIf { it.isNotEmpty() } ?: return null
         val sent = run.trace.filterIsInstance<Issued>().filter { it.port in exploration.boards && it.at <= exploration.eventful }
         val equal = sent.groupBy { it.command }.values.toList().takeIf { it.isNotEmpty() } ?: return null
-        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // rare commands are as likely as frequent ones
+        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // rare and frequent commands have equal chances
         val ended = run.of(command.agent).filterIsInstance<Ended>().find { it.number == command.number }?.at ?: command.at
         val from = (command.at.inWholeMilliseconds - AROUND_MS).coerceAtLeast(1)
         val until = minOf(ended, command.at + LONGEST).inWholeMilliseconds + AROUND_MS
@@ -50,7 +49,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         }
     }
 
-    /** Draws the time to the next event. The time is often so short that the agent is still handling the previous event. */
+    /** Draws the time until the next event. Often the agent is still handling the previous event. */
     private fun pause(random: Random): Duration = when (random.nextInt(4)) {
         0 -> random.nextInt(1, 60)
         1 -> random.nextInt(60, 600)
@@ -59,7 +58,6 @@ internal class EventSource(private val exploration: Exploration, private val age
 
     private fun lasts(random: Random): Duration = LENGTHS[random.nextInt(LENGTHS.size)].let { random.nextInt(it / 2, it + 1) }.milliseconds
 
-    /** Returns functions that make an event at a given time: one for each kind of fault, and two for sensors. */
     private fun makers(random: Random): List<(Duration) -> WorldEvent> {
         fun port() = ports[random.nextInt(ports.size)]
         val makers = ArrayList<(Duration) -> WorldEvent>()
@@ -95,7 +93,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         return Reads(at, port, sensor.name, sensor.percepts[index])
     }
 
-    /** Draws a sensor, and two neighbouring values between which it flickers, like a noisy sensor. */
+    /** Draws a sensor and two neighbouring values, between which the sensor flickers. */
     private fun flickers(at: Duration, random: Random): Flickers {
         val (port, sensor) = sensing[random.nextInt(sensing.size)]
         val index = random.nextInt(sensor.percepts.size)
@@ -108,16 +106,16 @@ internal class EventSource(private val exploration: Exploration, private val age
     private companion object {
         val FIRST_AT = 200.milliseconds
 
-        /** Upper limits of a fault's length, in ms, from a loose contact to a missing board. For each fault one limit is drawn. */
+        /** Upper limits for the length of a fault in ms. A loose contact is short, and a missing board is long. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
-        /** The most time, in ms, by which a fault that hits a command begins before the command is issued or after it ends. */
+        /** The margin in ms around a command, within which a fault that hits the command begins. */
         const val AROUND_MS = 3L
 
-        /** The most time by which a fault that hits a command begins after the command is issued. */
+        /** The latest beginning of a fault that hits a command, counted from the command. */
         val LONGEST = 200.milliseconds
 
-        /** A sensor flickers by at most one part in [NEAR] of its range. */
+        /** The range of a sensor divided by [NEAR] is the greatest change while it flickers. */
         const val NEAR = 20
     }
 }

@@ -7,7 +7,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The boards of the explored agents, the events that may happen to them, and the rules: the receiver of [explore]'s last argument.
+ * The boards of the explored agents, the possible events and the rules. [explore]'s last argument has an exploration as its receiver.
  *
  *     fun Exploration.boards() {
  *         board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
@@ -22,53 +22,56 @@ class Exploration internal constructor() {
     internal var kept: List<Rule> = usualRules()
         private set
 
-    /** The qualified name of the function that describes the exploration; null: not known. */
+    /** The qualified name of the function that describes the exploration, or null if it is not known. */
     internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** The time in which events happen. The first event happens 200 ms after the run begins. */
+    /** The time span of the events. The first event happens 200 ms after the run begins. */
     var eventful: Duration = 10.seconds
 
-    /** The time for which a run continues after its last event. Some rules need this time to notice that an agent does nothing. */
+    /** The time for which a run continues after its last event. Some rules need this time to detect an idle agent. */
     var settling: Duration = 8.seconds
 
-    /** The largest number of events in a run. */
+    /** The greatest number of events in a run. */
     var mostEvents: Int = 8
 
     /** The first seed. */
     var seed: Long = 0
 
-    /** The largest number of runs. */
+    /** The greatest number of runs. */
     var runs: Int = 1_000
 
-    /** The time limit for all runs together, in real time. To shorten a failing run may take more time. */
+    /** The time limit for all runs together, in real time. Shrinking a failing run may take additional time. */
     var time: Duration = 60.seconds
 
-    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` gets its own board of this kind. */
+    /** Describes the board on [port]. The port is written as in agents. */
     fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
 
-    /** Adds a message from [sender], which is none of the agents, to [agent]. It may come at any time: see the test kit's `hears`. */
+    /**
+     * Adds a message from [sender] to [agent]. The sender is none of the explored agents. The message may arrive at any time.
+     * [performative] and [content] are as in the test kit's `hears`.
+     */
     fun message(agent: String, sender: String, performative: String, content: String) {
         messages += Hears(Duration.ZERO, agent, sender, performative, content)
     }
 
-    /** Sets the rules to check, in place of [usualRules]. */
+    /** Replaces [usualRules] by [rules]. */
     fun rules(vararg rules: Rule) = rules(rules.toList())
 
-    /** Sets the rules to check, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
+    /** Replaces [usualRules] by [rules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
     fun rules(rules: List<Rule>) {
         kept = rules
     }
 
-    /** Sets the faults to play; without this call all are played. If [faults] is empty, only sensors change and messages come. */
+    /** Sets the possible faults. The default is all faults. Without any fault, only sensors change and messages arrive. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }
 
-    /** Configures each agent further: options, an environment, an agent class. */
+    /** Configures each agent: options, an environment, an agent class. */
     fun agents(setUp: AgentSetUp.() -> Unit) {
         setUps += setUp
     }
@@ -86,7 +89,7 @@ class Exploration internal constructor() {
 
 /** A kind of fault that an exploration can play. */
 enum class Fault {
-    /** Cables are pulled, and plugged in again. */
+    /** Cables are unplugged and plugged in again. */
     CABLES,
 
     /** Boards hang, or answer no requests. */
@@ -111,7 +114,7 @@ enum class Fault {
     LATE_MESSAGES,
 }
 
-/** An explored board: the percepts that its sensors can show, and its behaviour without faults. */
+/** An explored board: its sensors, and its behaviour without faults. */
 @TestSetUp
 class ExploredBoard internal constructor() {
     internal val sensors = ArrayList<Sensor>()
@@ -122,7 +125,7 @@ class ExploredBoard internal constructor() {
         private set
 
     /**
-     * Adds a sensor that shows [percept] with a whole number of [range] in place of `%d`. The sensor begins with the number [first].
+     * Adds a sensor that shows [percept], with a whole number of [range] in place of `%d`. The sensor begins with the number [first].
      * @throws IllegalArgumentException if [percept] contains no `%d`, or the range is empty
      */
     fun sensor(percept: String, range: IntRange, first: Int = range.last) {
@@ -131,26 +134,32 @@ class ExploredBoard internal constructor() {
         sensors += Sensor(percept, range.toList().map { percept.replace("%d", "$it") }, first - range.first, range)
     }
 
-    /** Adds a sensor that shows one of [percepts] and begins with the first of them. An empty text means that it shows no percept. */
+    /**
+     * Adds a sensor that shows one of [percepts]. The sensor starts with the first one. An empty text means that the sensor shows no
+     * percept.
+     */
     fun sensor(vararg percepts: String) {
         require(percepts.size > 1) { "a sensor shows one of several percepts: sensor(\"line(on)\", \"line(off)\")" }
         sensors += Sensor(percepts.joinToString("|"), percepts.toList(), 0, null)
     }
 
-    /** Lets the board speak version 2 of the protocol. */
+    /** The board speaks version 2 of the protocol. */
     fun version2() {
         isVersion2 = true
     }
 
-    /** Lets the board speak version 2 of the protocol and offer only these [actions]: see the test kit's `knows`. */
+    /**
+     * The board speaks version 2 of the protocol, and knows only these [actions]. The [actions] have the notation of the test kit's
+     * `knows`.
+     */
     fun knows(vararg actions: String) {
         isVersion2 = true
         known = actions.toList()
     }
 
     /**
-     * Sets more of the board's behaviour with functions of the test kit: `script { takes(2.seconds, "turn") }`. Percepts shown here replace
-     * the sensors. A script whose percepts depend on `commands` is a simulated robot. Called before each run.
+     * Configures the board with functions of the test kit: `script { takes(2.seconds, "turn") }`. Percepts shown here replace the sensors.
+     * A script that computes percepts from `commands` simulates a robot. [behaviour] is called before each run.
      */
     fun script(behaviour: Board.() -> Unit) {
         scripts += behaviour
@@ -162,6 +171,6 @@ class ExploredBoard internal constructor() {
  *
  * @property percepts all percepts; an empty text means that the sensor shows no percept
  * @property first the index of the percept that the sensor shows first
- * @property range the numbers in the percepts; null: the percepts have no number
+ * @property range the numbers in the percepts, or null if the percepts have none
  */
 internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

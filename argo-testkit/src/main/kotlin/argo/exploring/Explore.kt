@@ -3,8 +3,8 @@ package argo.exploring
 import kotlin.time.TimeSource
 
 /**
- * Searches for a run in which the agents in [source] break a rule. The real agents run in virtual time. Meanwhile sensors change, boards
- * and lines fail, and messages come; these events are drawn from a seed.
+ * Searches for a run in which agents in [source] break a rule. The real agents run in virtual time. During a run, sensors change, boards
+ * and lines fail, and messages arrive. A seed determines these events.
  *
  *     test("nothing that happens to its board confuses the robot") {
  *         explore("robot.asl") {
@@ -13,14 +13,14 @@ import kotlin.time.TimeSource
  *         }
  *     }
  *
- * Tries at most [Exploration.runs] runs, for at most [Exploration.time] of real time.
+ * Stops after [Exploration.runs] runs, or after [Exploration.time] of real time.
  *
- * @param source the file of an agent, or the `.mas2j` of a system; looked for as the test kit's `agent` does
+ * @param source the file of an agent, or the `.mas2j` of a system. The test kit's `agent` tells where the file is searched
  * @return the number of runs and their total time, if no run broke a rule
  * @throws AssertionError if a rule is broken, or if the agents are not deterministic. The message for a broken rule contains the shortened
- *   run in words and as a spec.
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or no agent opens a described
- *   board
+ * run in words and as a spec
+ * @throws IllegalArgumentException if the file does not exist or cannot be read, if no board is described, or if no agent opens a described
+ * board
  */
 fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
     when (val outcome = outcomeOf(source, describe)) {
@@ -28,22 +28,22 @@ fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
         else -> throw AssertionError(reportOf(outcome))
     }
 
-/** Returns the outcome of [explore] instead of throwing an [AssertionError]. */
+/** Returns the outcome of [explore]. Throws no [AssertionError]. */
 fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Search(scenario(source, describe), TimeSource.Monotonic).look()
 
 /**
- * Runs the agents in [source] once, with [events], and returns the run. The same events give the same run.
+ * Runs the agents in [source] once with [events]. Equal events give equal runs.
  *
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described. An event about a missing
- *   board, sensor or agent is refused too.
+ * @throws IllegalArgumentException if the file does not exist or cannot be read, if no board is described, or if an event names a missing
+ * board, sensor or agent
  */
 fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).playWritten(events)
 
 /**
- * Runs the agents in [source] with [events] and checks the rules. The spec that [explore] prints calls this function.
+ * Runs the agents in [source] with [events], and checks the rules. Specs that [explore] prints call this function.
  *
  * @throws AssertionError if a rule is broken
- * @throws IllegalArgumentException like [runOf]
+ * @throws IllegalArgumentException as [runOf] does
  */
 fun shouldKeepRules(source: String, vararg events: WorldEvent, describe: Exploration.() -> Unit): Run {
     val scenario = scenario(source, describe)

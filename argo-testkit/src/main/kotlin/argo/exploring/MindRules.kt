@@ -4,8 +4,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * At the end of a run, no intention has waited for longer than [longest] at a step that may never end. A step with a time limit, such as
- * `.wait(9000)`, does not count.
+ * At the end of a run, no intention has waited for more than [longest] at a step without a time limit. The step `.wait(9000)` has a time
+ * limit.
  *
  * @param except goals that may wait longer; `patrol` also means `patrol(3)`
  */
@@ -18,12 +18,12 @@ fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = empt
 
 private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
-/** For each plan that fails, there is a plan that handles the failure. */
+/** For each plan that fails, another plan handles the failure. */
 fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }
 
-/** After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] waiting events. */
+/** After each reasoning cycle, an agent has at most [intentions] intentions, [beliefs] beliefs and [events] waiting events. */
 fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule =
     ReadyRule("staysSmall", "stays small", intentions, beliefs, events) { run, agent ->
         run.of(agent).filterIsInstance<MindSize>()
@@ -31,7 +31,7 @@ fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule
             ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
     }
 
-/** Agents are not stopped, and do not reason without end: they rest now and then, so that virtual time advances. */
+/** Agents do not stop, and do not reason without end. Agents must rest, since only then virtual time advances. */
 fun staysAlive(): Rule = ReadyRule("staysAlive", "stays alive") { run, agent ->
     run.trace.firstOrNull { it is NeverRests || it is Stopped && it.agent == agent }
         ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }

@@ -8,7 +8,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * No plan sends a command while the newest message of a board is older than [maxAge].
+ * No plan sends a command while a board's newest message is older than [maxAge].
  *
  * @param except commands that are allowed at any time, such as `stop`; `drive` also means `drive(3)`
  */
@@ -18,9 +18,10 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
     }
 
 /**
- * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
- * agent sends none of [moving]. An agent that is blind for longer than [within], and has sent one of [moving] but not [safe] since, sends
- * [safe]. The time [within] begins when the agent becomes blind or, if its port was off, when the port is on again.
+ * An agent without percepts stops its motion. An agent becomes blind [blindAfter] after its newest message. The next message ends the
+ * blindness. A blind agent sends none of [moving]. If one of [moving] was sent after the last [safe], the agent must send [safe] within the
+ * time [within]. The time [within] starts when the agent becomes blind. If the agent's port was off, the time starts when the port is on
+ * again.
  *
  * @param safe the command that stops the motion; `speed` also means `speed(0)`
  */
@@ -32,9 +33,9 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
     }
 
 /**
- * If [percept] begins to hold in the agent's percepts, and holds for the time [within], the agent sends one of [commands] within this time.
- * The time begins with the last byte of the first message in which [percept] holds. An agent whose last command is one of [commands] need
- * not send one again.
+ * If [percept] starts to hold and holds for the time [within], the agent sends one of [commands] within that time. The time starts with the
+ * last byte of the first message in which [percept] holds. If the agent's last command is already one of [commands], it need not send
+ * another.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -60,7 +61,7 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
 }
 
 /**
- * When [percept] has held in the agent's percepts for the time [after], plans send none of [commands] while [percept] still holds.
+ * If [percept] has held for the time [after], plans send none of [commands] while it still holds.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -78,7 +79,7 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
     }
 }
 
-/** An agent that has perceived something perceives something again at most [within] after the last event has ended. */
+/** An agent that has ever perceived something perceives again within the time [within] after the last event. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
@@ -100,7 +101,6 @@ private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, e
     return null
 }
 
-/** The time between two messages to [agent], at [last] and [next]. The agent counts as blind from [blind] on. */
 private class BlindTime(
     private val run: Run,
     private val agent: String,
@@ -129,8 +129,8 @@ private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
     /**
-     * Returns the periods in which the condition holds: the first message of a period, and the first one behind it. Null: the period ends
-     * with the run.
+     * Returns the periods in which the condition holds. A period is its first message and the first message behind it, or null at the end
+     * of the run.
      */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
@@ -146,7 +146,7 @@ private class PerceivedFormula(text: String) {
 
     private fun Agent.holds(percepts: List<String>): Boolean {
         bb.clear()
-        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // unreadable percepts are left out, as by the agent
+        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // skips unreadable percepts, as the agent does
         return formula.logicalConsequence(this, Unifier()).hasNext()
     }
 }

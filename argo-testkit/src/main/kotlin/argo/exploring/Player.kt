@@ -8,7 +8,7 @@ import argo.testkit.nanos
 import javino.PortException
 import kotlin.time.Duration
 
-/** Runs agents with the boards of [exploration] once, with [events], which are sorted by time. */
+/** Runs agents once with the boards of [exploration] and with [events], which are in order of time. */
 internal class Player(private val exploration: Exploration, private val events: List<WorldEvent>) {
     private val state = WorldState(exploration.boards, events)
     private val mas = TestMas()
@@ -26,7 +26,7 @@ internal class Player(private val exploration: Exploration, private val events: 
                 mas.all.forEach(recorder::watch)
             }
             drive()
-        } catch (busy: AssertionError) { // the test kit has found an agent that reasons without end
+        } catch (busy: AssertionError) { // the test kit detected an agent that reasons without end
             recorder.record(NeverRests(recorder.now, busy.message.orEmpty().lineSequence().first()))
         }
         recorder.isOver = true
@@ -44,7 +44,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         passUntil(end)
     }
 
-    /** Advances time to [at], unless an agent that waits inside its cycle has advanced it further. */
+    /** Advances time to [at]. An agent that waits inside its cycle may already have advanced it further. */
     private fun passUntil(at: Duration) {
         mas.after((at - recorder.now).coerceAtLeast(Duration.ZERO))
     }
@@ -69,7 +69,7 @@ internal class Player(private val exploration: Exploration, private val events: 
             is Restarts -> boards().filter { it.first == event.board }.forEach { (_, board) -> board.restarts(event.booting) }
             is Floods -> repeat(event.messages) { mas.time.later(nanos(FLOOD_INTERVAL * it)) { send(event.board) } }
             is Hears -> if (event.agent in mas.names) mas[event.agent].hears(event.sender, event.performative, event.content)
-            else -> Unit // all other events are part of the world's state
+            else -> Unit // [WorldState] contains all other events
         }
     }
 
@@ -79,9 +79,9 @@ internal class Player(private val exploration: Exploration, private val events: 
             try {
                 board.says(*percepts)
             } catch (_: IllegalStateException) {
-                // the board restarts
+                // the board is restarting
             } catch (_: PortException) {
-                // the board's cable is unplugged
+                // the cable is unplugged
             }
         }
     }
@@ -93,7 +93,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         mas.all.flatMap { agent -> agent.platform.named().filterValues(Board::wasOpened).keys }.toSet()
 
     private companion object {
-        /** A smaller limit than in tests, since there are many runs, and an agent that repeats a failing step grows with each cycle. */
+        /** The limit is smaller than that of tests. Runs are many, and an agent that repeats a failing step grows in each cycle. */
         const val MOST_CYCLES = 500
     }
 }

@@ -26,11 +26,10 @@ private fun runsOf(outcome: Outcome) =
     (if (outcome.runs == 1) "1 run" else "${outcome.runs} runs") +
         ", ${outcome.played.inWholeMinutes} min ${outcome.played.inWholeSeconds % SECONDS} s of virtual time"
 
-/** Lists the events in words. */
 fun wordsOf(events: List<WorldEvent>): String =
     if (events.isEmpty()) "  nothing" else events.joinToString("\n") { "  ${timeOf(it.at)}  ${it.words}" }
 
-/** Lists the events of the world and of the agents in [run], one a line, but only the last [MOST_LINES]. */
+/** Lists the events of the world and of the agents in [run], one on each line. Lists only the last [MOST_LINES]. */
 internal fun storyOf(run: Run): String {
     val lines = run.trace.mapNotNull { entry -> lineOf(entry)?.let { "  ${timeOf(entry.at)}  $it" } }
     val left = if (lines.size > MOST_LINES) listOf("  … ${lines.size - MOST_LINES} more before these") else emptyList()

@@ -3,26 +3,26 @@ package argo.exploring
 import kotlin.time.Duration
 
 /**
- * A condition that must hold in each run. A project writes its own:
+ * A condition that must hold in each run. A project can write its own rules:
  *
  *     val neverReverses = rule("never reverses") { run ->
  *         run.trace.filterIsInstance<Issued>().firstOrNull { it.command == "back" }?.let { Breach(it.at, "it reversed") }
  *     }
  *
- * A rule's result must depend only on the run.
+ * The result must depend only on the run.
  */
 fun interface Rule {
-    /** Returns the first breach of this rule in [run]; null: there is none. */
+    /** Returns the first breach of this rule in [run], or null if there is none. */
     fun breachIn(run: Run): Breach?
 
-    /** The condition in a few words. */
+    /** A short form of the condition. */
     val name: String get() = javaClass.simpleName
 }
 
-/** A breach of a rule: its time, and a description in words. */
+/** A breach of a rule: its time and a description. */
 data class Breach(val at: Duration, val how: String)
 
-/** Makes a rule called [name]. */
+/** Makes a rule with this [name]. */
 fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
     override val name = name
 
@@ -32,8 +32,8 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
 }
 
 /**
- * A rule of this package. `toString` returns the call that makes the rule. [breachOf] returns an agent's first breach in a run; null: there
- * is none.
+ * A rule of this package. `toString` returns the Kotlin call for this rule. [breachOf] returns the first breach of an agent in a run, or
+ * null if there is none.
  */
 internal class ReadyRule(
     val function: String,
@@ -49,7 +49,6 @@ internal class ReadyRule(
     override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachOf(run, it) }.minByOrNull { it.at }
 }
 
-/** Returns true if [pattern] is [command] or its name: `drive` matches `drive(3)`. */
 internal fun isCommand(command: String, pattern: String) = command == pattern || command.startsWith("$pattern(")
 
 internal fun List<String>.hasCommand(command: String) = any { isCommand(command, it) }

@@ -4,24 +4,28 @@ import kotlin.time.Duration
 
 /** An entry of a run's trace. Immutable. */
 sealed interface TraceEntry {
-    /** The time of the entry since the run began. */
+    /** The time since the run began. */
     val at: Duration
 }
 
-/** An action of [agent], or an event that happens to it. */
+/** Something that [agent] does or that happens to it. */
 sealed interface AgentEntry : TraceEntry {
     /** The agent's name. */
     val agent: String
 }
 
-/** [event] begins. */
+/** [event] starts. */
 data class Happened(override val at: Duration, val event: WorldEvent) : TraceEntry
 
-/** A message of the board on [port] has come. The agent perceives it soon, or never if a newer message comes first. */
+/**
+ * A message of the board on [port] has arrived. The agent perceives it soon. If a newer message arrives first, the agent never perceives
+ * it.
+ */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
 /**
- * The agent perceives a message of the board on [port]. The message's last byte came at [received], and the filter let [percepts] through.
+ * The agent perceives a message of the board on [port]. The message's last byte arrived at [received]. [percepts] are those that passed the
+ * filter.
  */
 data class Perceived(
     override val at: Duration,
@@ -34,8 +38,8 @@ data class Perceived(
 /**
  * The agent has called `argo.act`, or a reflex was sent.
  *
- * @property number counts the agent's commands
- * @property plan the plan that called `argo.act`, with file and line; null: no plan sent the command
+ * @property number the number of the command among the agent's commands
+ * @property plan the plan that called `argo.act`, with file and line, or null for a reflex
  */
 data class Issued(
     override val at: Duration,
@@ -46,7 +50,10 @@ data class Issued(
     val plan: String?,
 ) : AgentEntry
 
-/** An agent's command has ended. [error] is the atom in `error(…)`; null: the command was sent or, in version 2, carried out. */
+/**
+ * An agent's command has finished. [error] is the atom in `error(…)`, or null for success. In version 1, success means that the command was
+ * sent. In version 2, it means that it was carried out.
+ */
 data class Ended(
     override val at: Duration,
     override val agent: String,
@@ -55,38 +62,38 @@ data class Ended(
     val error: String?,
 ) : AgentEntry
 
-/** The state of a port of the agent: `on`, `off` or `timeout`. */
+/** A port of the agent has the new state `on`, `off` or `timeout`. */
 data class PortChanged(override val at: Duration, override val agent: String, val port: String, val status: String) : AgentEntry
 
-/** The numbers of an agent's beliefs, intentions and events after a reasoning cycle that changed them. */
+/** The numbers of an agent's beliefs, intentions and events after a cycle that changed one of them. */
 data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
     AgentEntry
 
-/** The agent's [intention] has waited at one step since the time [since]. Recorded at the end of a run. */
+/** The agent's [intention] has waited at one step since [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
-/** A plan of the agent has failed, and no plan handled the failure. [what] is Jason's message. */
+/** A plan of the agent has failed without a plan for the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
 /** The agent has printed [text]. */
 data class Printed(override val at: Duration, override val agent: String, val text: String) : AgentEntry
 
-/** The agent has sent a message to another agent: `tell(bob,ready)`. */
+/** The agent has sent a message to another agent, such as `tell(bob,ready)`. */
 data class Said(override val at: Duration, override val agent: String, val message: String) : AgentEntry
 
 /** The agent has ended. */
 data class Stopped(override val at: Duration, override val agent: String) : AgentEntry
 
-/** An agent reasons without end, so that virtual time does not advance. The run ends here. */
+/** An agent reasons without end, and virtual time does not advance. The run ends here. */
 data class NeverRests(override val at: Duration, val what: String) : TraceEntry
 
 /**
- * The events of a run from its beginning to its end.
+ * The events of a run.
  *
- * @property events the events of the world, in the order of their times
- * @property trace all recorded entries, in the order of their times
- * @property ended the time at which the run ended, since it began
- * @property arrived the commands that have arrived at each board, in the order of arrival
+ * @property events the events of the world, in order of time
+ * @property trace all recorded entries, in order of time
+ * @property ended the length of the run
+ * @property arrived the commands of each board, in order of arrival
  * @property opened the ports that the agents have opened
  */
 class Run internal constructor(
@@ -97,12 +104,11 @@ class Run internal constructor(
     val arrived: Map<String, List<String>>,
     internal val opened: Set<String>,
 ) {
-    /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"
 
-    /** Describes how this run differs from [other], a run with the same events; null: they are equal. */
+    /** Describes the first difference between this run and [other], a run with equal events, or returns null if there is none. */
     internal fun differenceFrom(other: Run): String? {
         val pairs = trace.size.coerceAtLeast(other.trace.size)
         val first = (0 until pairs).firstOrNull { trace.getOrNull(it) != other.trace.getOrNull(it) }

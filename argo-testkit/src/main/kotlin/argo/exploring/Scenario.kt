@@ -88,9 +88,9 @@ internal class Scenario(private val program: Program, private val source: String
     fun play(events: List<WorldEvent>): Run = Player(exploration, events.sortedBy { it.at }).play(program)
 
     /**
-     * Plays [events] that a user has written.
+     * Runs the agents with [events] of a user.
      *
-     * @throws IllegalArgumentException if an event names an unknown board, sensor or agent, so that nothing would happen
+     * @throws IllegalArgumentException if an event names an unknown board, sensor or agent. Events with unknown names would have no effect
      */
     fun playWritten(events: List<WorldEvent>): Run {
         events.map { it.form }.forEach { form ->

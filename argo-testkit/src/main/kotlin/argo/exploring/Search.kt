@@ -6,24 +6,24 @@ import kotlin.time.TimeSource
 
 /** The outcome of an exploration. */
 sealed interface Outcome {
-    /** The number of runs, including those for shrinking. */
+    /** The number of runs, including runs for shrinking. */
     val runs: Int
 
-    /** The length of all runs together, in virtual time. */
+    /** The total length of all runs, in virtual time. */
     val played: Duration
 }
 
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/** Two runs with the same [events] differ, so a run cannot be repeated. [difference] describes the first difference. */
+/** Two runs with equal [events] differ. No run can therefore be repeated. [difference] describes the first difference. */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 
 /**
  * A run breaks a rule.
  *
- * @property seed the seed of the run; null: the run has no events
+ * @property seed the seed of the run, or null if the run has no events
  * @property events the events after shrinking
  * @property drawn the number of events before shrinking
  */
@@ -71,8 +71,8 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     /**
-     * Returns true if the events of [seed] are played again with an additional fault, which hits a command. This is not done for each seed:
-     * most errors are found without the additional fault, and then with fewer events.
+     * Returns true if the events of [seed] are played a second time with an additional fault that hits a command. Most errors need no
+     * additional fault and then show in fewer events, so this is not done for each seed.
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 
@@ -99,7 +99,6 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
         require(it.agent in run.agents) { "a message is for the agent ${it.agent}; there are ${run.agents.joinToString()}" }
     }
 
-    /** Refuses a described board that no agent has opened, since its name may be misspelt. */
     private fun requireOpened() {
         val missed = exploration.boards.keys - opened
         require(missed.isEmpty()) {
@@ -109,11 +108,10 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private companion object {
-        /** After so many lists of events, one list in [HIT_EACH] is played once more. */
+        /** After this many runs, one run in [HIT_EACH] is repeated with a fault at a command. */
         const val HIT_FROM = 20L
         const val HIT_EACH = 3L
 
-        /** The most runs for shrinking. */
         const val MOST_SHRINKING = 400
     }
 }

@@ -6,9 +6,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). First the shrinker leaves out halves,
- * smaller parts and single events. Then it rounds the times and numbers of the remaining events. [breaks] plays events and returns true if
- * they still break the rule.
+ * Shortens and simplifies a list of events that breaks a rule (delta debugging). First removes halves, smaller parts and single events.
+ * Then rounds the times and numbers of the remaining events. [breaks] runs events and returns true if they still break the rule.
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {
@@ -47,7 +46,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         return left
     }
 
-    /** Returns values that are rounder or smaller than [value], the best first. The beginning of an event is only rounded. */
+    /** Returns rounder or smaller values than [value], the best first. The start of an event is only rounded. */
     private fun plainer(name: String, value: Any): List<Any> = when (value) {
         is Duration -> {
             val ms = value.inWholeMilliseconds
@@ -59,7 +58,6 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         else -> emptyList()
     }
 
-    /** Rounds the number in a percept to tens. */
     private fun roundedNumber(percept: String): List<String> {
         val number = NUMBER.find(percept) ?: return emptyList()
         val rounded = (number.value.toDouble() / TEN).roundToInt() * TEN

@@ -1,8 +1,8 @@
 package argo.exploring
 
 /**
- * Writes a Kotest spec that plays the shortened run of [found], and that fails as long as the agent breaks the rule. The spec compiles in a
- * project with the test kit and with the agent in its folders.
+ * Writes a Kotest spec for the shortened run of [found]. The spec fails while the agent breaks the rule. The spec needs a project with the
+ * test kit and with the agent in its folders.
  */
 fun specOf(found: Found): String {
     val name = found.scenario.name.split(Regex("\\W|_")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
@@ -28,7 +28,7 @@ ${descriptionOf(found).prependIndent("            ")}
 """.trimStart()
 }
 
-/** Writes the exploration in Kotlin. If its description contains code, writes a call of the describing function. */
+/** Writes the exploration in Kotlin. If its description contains code, writes a call of the function that describes it. */
 private fun descriptionOf(found: Found): String {
     val exploration = found.scenario.exploration
     val broken = exploration.kept.first { it.name == found.rule }

@@ -34,7 +34,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
 
-    /** Returns the trace so far. It includes the lines that the agents have printed, and the waits of their intentions. */
     fun trace(): List<TraceEntry> {
         val names = minds.map { it.agent.name }
         val logged = mas.log.entries.mapNotNull { entry ->
@@ -49,7 +48,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         return (entries + logged + minds.flatMap { it.waits() }).sortedBy { it.at }
     }
 
-    /** Records the numbers of an agent's beliefs, intentions and events after each of its cycles. */
     private inner class AgentWatch(val agent: TestAgent) : AgArch(), Transparent {
         private var last: MindSize? = null
         private var waiting = emptyMap<String, Pair<String, Duration>>()
@@ -74,17 +72,17 @@ internal class TraceRecorder(private val mas: TestMas) {
             super.stop()
         }
 
-        /** Returns the waits in an order that does not depend on the ids of intentions, since these differ from run to run. */
+        /** Sorts the waits without the ids of intentions, since the ids differ in each run. */
         fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** True if the run is over. If an agent stops now, the end of the run is the cause. */
+    /** True at the end of the run. Agents that stop after this are not recorded. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** Returns key and description of each intention at a step that may never end. The same key means the same step. */
+    /** Returns each intention at a step without a time limit, as a key and a description. The key identifies the step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
         (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
             .filterNot { it.isFinished || endsByItself(it) }
@@ -130,13 +128,13 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     private companion object {
-        /** Beginnings of Jason's messages about a failure that no plan handles. */
+        /** The beginnings of Jason's messages about a failure without a plan. */
         val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
 
-        /** The text that follows the goal in these messages. */
+        /** The text behind the goal in these messages. */
         const val SOURCE = "["
 
-        /** The index of the time limit among the arguments of `.send`, counted from 0. */
+        /** The index of `.send`'s time limit among its arguments, from 0. */
         const val SEND_LIMIT = 4
         const val LONGEST_TEXT = 200
     }

@@ -2,7 +2,7 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** The outside world at any time of a run. Depends only on [events]. */
+/** The state of the outside world at any time of a run, which depends only on [events]. */
 internal class WorldState(private val boards: Map<String, ExploredBoard>, private val events: List<WorldEvent>) {
     fun percepts(port: String, at: Duration): List<String> =
         boards.getValue(port).sensors.map { shownBy(port, it, at) }.filter { it.isNotEmpty() }

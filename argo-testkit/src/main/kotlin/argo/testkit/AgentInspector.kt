@@ -18,11 +18,10 @@ import jason.util.Config
 import java.nio.file.Path
 
 internal class AgentInspector(private val ts: TransitionSystem) {
-    /** The agent's beliefs without annotations and rules, in alphabetical order. */
     val beliefs: List<String>
         get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
-    /** The agent's intentions in alphabetical order. Each consists of its goals, the latest first, and its next step. */
+    /** The agent's intentions in alphabetical order. Each one lists its goals, the latest first, and its next step. */
     val intentions: List<String>
         get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
@@ -36,10 +35,9 @@ internal class AgentInspector(private val ts: TransitionSystem) {
     }
 }
 
-/** The namespace of the plans and rules that Jason adds to every agent. */
 private const val KQML = "kqml"
 
-/** @throws IllegalArgumentException if [text] is not a condition as in a plan's context */
+/** @throws IllegalArgumentException if [text] is no condition as in a plan's context */
 internal fun formula(text: String): LogicalFormula = parsed(text, "a belief or a formula such as dist(front,X) & X < 40") {
     ASSyntax.parseFormula(text)
 }
@@ -66,7 +64,7 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 }
 
 /**
- * Creates the agent in [file] on the infrastructure [infra], as Jason does. Changes Jason's source path for the whole Java program.
+ * Makes the agent in [file] on the infrastructure [infra], as Jason does. Changes Jason's source path for the whole Java program.
  *
  * @throws IllegalArgumentException if Jason cannot read the file
  */

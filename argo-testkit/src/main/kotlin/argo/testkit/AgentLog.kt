@@ -9,13 +9,13 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.SimpleFormatter
 
-/** Records the log of [time], including the lines that its agents print. */
+/** Records the log of [time], with the printed lines of its agents. */
 internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseable {
     /**
      * One record.
      *
-     * @property logger the logger's name, which ends with the name of the agent
-     * @property isPrinted true if a plan has printed the record, with `.print` or `.log`
+     * @property logger the name of the logger, which ends with the agent's name
+     * @property isPrinted true if a plan printed the record by `.print` or `.log`
      */
     class Entry(val atNanos: Long, val level: Level, val logger: String, val text: String, val isPrinted: Boolean) {
         fun isOf(agent: String) = logger.endsWith(".$agent")
@@ -42,7 +42,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         all += Entry(time.nanos(), record.level, record.loggerName.orEmpty(), text, isPrinted(record))
     }
 
-    /** Returns true if a plan printed [record]. Jason uses the agent's logger for its own messages, too. */
+    /** Returns true if a plan printed [record]. Jason itself also uses the agent's logger. */
     private fun isPrinted(record: LogRecord): Boolean {
         val jason = TransitionSystem::class.java
         return record.loggerName.orEmpty().startsWith("${jason.name}.") &&
@@ -50,8 +50,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     }
 
     /**
-     * Keeps the agents' log off the console. A failing expectation shows its log, and the logs of other tests would flood the console. If
-     * the property `argo.testkit.log` is `console`, all logs appear.
+     * Hides the agents' log from the console. A failing expectation shows its own log. Logs of other tests would flood the console. The
+     * property `argo.testkit.log` shows all logs if its value is `console`.
      */
     private class Quiet(private val other: Filter?) : Filter {
         override fun isLoggable(record: LogRecord): Boolean =

@@ -7,7 +7,7 @@ import jason.environment.Environment
 import jason.mas2j.ClassParameters
 import kotlin.time.Duration
 
-/** The configuration of an agent under test and of its boards: the receiver of [argo.testkit.agent]'s last argument. */
+/** The configuration of an agent under test and of its boards. [argo.testkit.agent]'s last argument has this class as its receiver. */
 @TestSetUp
 class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     /** The agent's name. */
@@ -17,18 +17,18 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     var agentClass: Class<out Agent> = Agent::class.java
 
     /**
-     * Creates the agent's architecture: [Arch], or the project's own subclass with the platform as its argument. Null: an agent of plain
-     * Jason, without a board.
+     * Creates the agent's architecture: [Arch] or a subclass, with the platform as its argument. Null means an agent of plain Jason without
+     * a board.
      */
     var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The agent's Jason environment, for external actions and for percepts that come from no board; null: none. Its actions take no time.
-     * Several agents of a test may share one environment. Threads of the environment run in real time.
+     * The agent's Jason environment, for external actions and for percepts without a board, or null for none. Actions of the environment
+     * take no time. Several agents of a test may share an environment. Threads of the environment run in real time.
      */
     var environment: Environment? = null
 
-    /** The time that each reasoning cycle of the agent takes. The next cycle begins when this time is over. */
+    /** The time that each reasoning cycle takes. The next cycle starts after this time. */
     var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)
@@ -36,17 +36,17 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     internal val options = LinkedHashMap<String, String>()
     internal val sourcePaths = ArrayList<String>()
 
-    /** Sets options, which a `.mas2j` writes in brackets: `options("argo_sensing" to "every")`. */
+    /** Sets the options that a `.mas2j` has in brackets: `options("argo_sensing" to "every")`. */
     fun options(vararg options: Pair<String, String>) {
         this.options += options
     }
 
-    /** Adds directories for included files, in addition to the directory of the `.asl`: `aslSourcePath` in a `.mas2j`. */
+    /** Adds directories for included files. The directory of the `.asl` is always used. In a `.mas2j`, this is `aslSourcePath`. */
     fun sourcePath(vararg directories: String) {
         sourcePaths += directories
     }
 
-    /** The board on the first port that a call of [board] names or the agent opens. */
+    /** The board on the agent's first port: the first that [board] names or that the agent opens. */
     val board: Board get() = platform.first()
 
     /** Returns the board on [port]. */

@@ -3,25 +3,25 @@ package argo.testkit
 import java.nio.file.Path
 
 /**
- * Starts the agent in the file [source] on simulated boards, one on each of its ports, in virtual time:
+ * Starts the agent in the file [source] in virtual time. Each of its ports has a simulated board:
  *
  *     val robot = agent("robot.asl")
  *     robot.perceives("dist(front,30)")
  *     robot.shouldSend("stop")
  *
- * Jason reads the agent and runs it on `argo.Arch`, as in a project. Only time and the boards are simulated. The agent is named like its
- * file. Close the agent at the end of the test, with `use` or Kotest's `autoClose`.
+ * Jason reads and runs the agent on `argo.Arch`, as in a project. Only time and the boards are simulated. The agent is named like its file.
+ * Close the agent at the end of the test, with `use` or Kotest's `autoClose`.
  *
- * @param source a path from the directory in which the test runs, or from `src/agt`, `src/main/asl` or `src/test/resources` under it
- * @param setUp configures the agent and its boards before the agent starts
- * @throws IllegalArgumentException if there is no such file, or Jason cannot read it
+ * @param source a path from the test's working directory, or from `src/agt`, `src/main/asl` or `src/test/resources` below it
+ * @param setUp configures the agent and its boards before the start
+ * @throws IllegalArgumentException if the file does not exist, or if Jason cannot read it
  */
 fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(source, setUp) }.first
 
-/** Starts the agent in [file]: see [agent]. */
+/** Starts the agent in [file] as [agent] does. */
 fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(file, setUp) }.first
 
-/** Starts an agent with [program], like [agent]. The agent's name is `agent` unless [setUp] sets another. */
+/** Starts an agent with the text [program] as [agent] does. The agent's name is `agent`, unless [setUp] sets another one. */
 fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agentOf("agent", program, setUp) }.first
 
 /**
@@ -34,8 +34,8 @@ fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas
  *     fleet["coordinator"].hears("user", "achieve", "patrol")
  *     fleet["scout1"].shouldSend("goto(north)")
  *
- * All agents exist before the first one runs. Close the result at the end of the test, with `use` or Kotest's `autoClose`.
+ * All agents are made before the first one runs. Close the result at the end of the test, with `use` or Kotest's `autoClose`.
  *
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or two agents have the same name
+ * @throws IllegalArgumentException if a file does not exist or cannot be read, or if two agents have one name
  */
 fun mas(setUp: MasSetUp.() -> Unit): TestMas = TestMas().let { mas -> mas.begin { MasSetUp(mas).setUp() } }

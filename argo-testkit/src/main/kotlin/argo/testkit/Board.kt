@@ -27,10 +27,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * The board on a port of an agent under test. The board answers each request for percepts with the values that its sensors [show][shows],
- * and treats every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
+ * The board on a port of an agent under test. The board answers requests for percepts with the percepts that its sensors [show][shows].
+ * Every other message is a command. The board speaks version 1 of the protocol unless [version2] is called.
  *
- * The board's line carries bytes at the agent's baud rate, in virtual time. Each function's name is a verb, whose subject is the board:
+ * The board's line carries bytes at the agent's baud rate, in virtual time. Each function's name is a verb with the board as its subject:
  * `board.hangs()`. A function has its effect at once. The agent reacts when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
@@ -50,7 +50,9 @@ class Board internal constructor(private val time: VirtualTime) {
     internal var answers = 0
         private set
 
-    /** The percepts that the board's sensors showed last. Null: none so far, the board ignores requests, or its port leads elsewhere. */
+    /**
+     * The percepts of the board's last answer. Null before the first answer, if the board ignores requests, or if its port leads elsewhere.
+     */
     internal var shown: List<String>? = null
         private set
 
@@ -64,20 +66,20 @@ class Board internal constructor(private val time: VirtualTime) {
     )
     private var bootMs = 0
 
-    /** True if the board's program must start again on the same line. */
+    /** True if the board's program must restart on this line. */
     @Volatile
     private var isToRestart = false
 
-    /** True if the board now ignores requests for percepts, even if its sensors show some. */
+    /** True if the board ignores requests for percepts for now. */
     internal var isSilent = false
 
-    /** Of so many bytes on the line, one has a wrong bit, in each direction; 0: no byte has one. */
+    /** One in this many bytes on the line has a wrong bit, in each direction. 0 means no wrong bytes. */
     internal var garbledOneIn = 0
 
     /**
-     * The board's sensors show [percepts] from now on, each as text, `dist(front,30)`. Without percepts the board answers with an empty
-     * message.
-     * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [showsRaw]
+     * The sensors show [percepts] from now on. Each percept is a text such as `dist(front,30)`. Without percepts, the board answers with an
+     * empty message.
+     * @throws IllegalArgumentException if an agent would ignore a malformed percept, such as `dist(front`. Use [showsRaw] for it
      */
     fun shows(vararg percepts: String): Board = apply {
         messageOf(percepts.toList())
@@ -86,30 +88,30 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board's sensors show the percepts of [sensors] from now on. The board's thread calls [sensors] for each request, with the time
-     * since the test began. Example, a robot that drives at 10 cm/s towards a wall:
-     * `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`. Percepts that an agent would leave out fail the test.
+     * The sensors show the percepts of [sensors] from now on. The board's thread calls [sensors] at each request, with the time since the
+     * start of the test. Example of a robot that drives at 10 cm/s towards a wall:
+     * `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`. A malformed percept makes the test fail.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
         val percepts = sensors(now).also { shown = it }
         messageOf(percepts.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
-    /** From now on the board answers requests for percepts with exactly [message], even if it is malformed: `dist(front;)(;`. */
+    /** The board answers requests for percepts with exactly [message] from now on. [message] may be malformed: `dist(front;)(;`. */
     fun showsRaw(message: String): Board = apply {
         sendable(message)
         showsRaw { message }
         shown = perceptsOf(message)
     }
 
-    /** From now on the board answers requests for percepts with the result of [message], which is called as [shows] calls its argument. */
+    /** The board answers requests for percepts with the result of [message] from now on. The calls of [message] are as in [shows]. */
     fun showsRaw(message: (Duration) -> String): Board = answers {
         sendable(message(now)).also { shown = perceptsOf(it) }
     }
 
     /**
-     * From now on the board answers no request for percepts, until [shows] is called. The board still carries out commands. The agent
-     * believes `port(P,timeout)`.
+     * The board ignores requests for percepts until [shows] is called. The board still carries out commands. The agent believes
+     * `port(P,timeout)`.
      */
     fun ignoresRequests(): Board = apply {
         answer = { null }
@@ -117,22 +119,24 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board sends [percepts] now, without a request, as boards do on a port that is opened with `mode(listen)`.
-     * @throws IllegalArgumentException if an agent would leave out a percept
+     * The board sends [percepts] now, without a request. Ports opened with `mode(listen)` expect such messages.
+     * @throws IllegalArgumentException if an agent would ignore a malformed percept
      */
     fun says(vararg percepts: String): Board = apply {
         fake.send(messageOf(percepts.toList()))
         shown = percepts.toList()
     }
 
-    /** The board now puts [bytes] on the line unchanged, such as noise or half a message. Each character is one byte. */
+    /**
+     * The board puts [bytes] on the line now, unchanged. The [bytes] may be noise or a part of a message. Each character becomes one byte.
+     */
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
 
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. It accepts any command. The
-     * board's other settings have no effect, except those of its port.
+     * At the next opening of its port, the board starts to send the bytes in [recording] at the recorded times. The board accepts any
+     * command. Only the settings of its port have an effect.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -140,31 +144,30 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board [replays] the recording in [file], written by `monitor --record` of ARGO's tools. If the recording is a ROS 2 bag in the
-     * MCAP format, the board [plays its mapping][playsItsMapping] and publishes the bag's messages at their recorded times, counted from
-     * the agent's first perception.
+     * The board [replays] the recording in [file], which `monitor --record` has written. If the file is a ROS 2 bag in the MCAP format, the
+     * board [plays its mapping][playsItsMapping]. The board publishes the bag's messages at their recorded times, counted from the agent's
+     * first perception.
      */
     fun replays(file: Path): Board =
         if (McapReader.isMcap(file)) playsItsMapping().apply { bag = file } else replays(LineRecording.read(file))
 
     /**
-     * When the board's port is opened next, it leads to the line that [open] returns, such as the line of a simulated sketch. [open] gets
-     * the port's name and settings, and the line's clock. From then on expectations of commands have no effect, and of the board's settings
-     * only those of its port.
+     * At the next opening of its port, the board uses the line that [open] returns, such as that of a simulated sketch. [open] gets the
+     * port's name, its settings and the clock of the line. After that, only settings of the port have an effect, and expectations of
+     * commands have none.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /**
-     * The board's port leads to the robot that the port's name denotes, such as `ros://robot:9090`, and not to a line. A mapping turns the
-     * robot's topics into percepts. The mapping and ARGO's side are real, the robot is not: the test [publishes] its messages, and each
-     * command succeeds at once. Of the board's settings, only those of its port have an effect. Call this before the port is opened.
+     * The board is the robot that the port's name denotes, such as `ros://robot:9090`. A robot has no line. A mapping turns the robot's
+     * topics into percepts. The mapping and ARGO are real, and the robot is simulated. The test [publishes] its messages, and each command
+     * succeeds at once. Only the settings of its port have an effect. Call this function before the port is opened.
      */
     fun playsItsMapping(): Board = apply { isMapped = true }
 
     /**
-     * The board publishes [message], in JSON, on [topic], if its port is open and the agent subscribes to that topic. If [topic] is a
-     * service or an action of the mapping, [message] is its response to all further commands. Only for a board that
-     * [plays its mapping][playsItsMapping].
+     * The board publishes the JSON [message] on [topic] if its port is open and the agent subscribes to [topic]. If [topic] is a service or
+     * an action, [message] becomes its response to all later commands. The board must [play its mapping][playsItsMapping].
      * @throws IllegalArgumentException if [message] is no JSON object
      * @throws IllegalStateException if the board is not mapped
      */
@@ -173,61 +176,61 @@ class Board internal constructor(private val time: VirtualTime) {
         played?.says(topic, message)
     }
 
-    /** The messages, requests and goals sent to the robot, each behind its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
+    /** The messages, requests and goals for the robot. Each follows its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
     val published: List<String> get() = taking
 
-    /** The board speaks version 2 of the protocol with agents that speak it. Call this before the port is opened. */
+    /** The board speaks version 2 of the protocol with agents that support it. Call this function before the port is opened. */
     fun version2(): Board = apply {
         isVersion2 = true
         fake.version2()
     }
 
     /**
-     * The board tells agents of version 2 that it knows only these [actions]: `ledOn`, or `speed/1` for one argument, or `say` with a slash
-     * and a star for any number of arguments. Without this call the board describes no actions, and agents send commands unchecked.
+     * The board tells version 2 agents that it knows only these [actions]: `ledOn`, `speed/1` for one argument, or `say` with a slash and a
+     * star for any number. Without this call, the board describes no actions, and agents do not check commands.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
     /**
-     * The board describes its percepts to agents of version 2, by these [kinds]: `dist(front|left, cm 0..400)`. Live views show the
-     * description. An agent also believes percepts that do not fit the description.
+     * The board describes its percepts to version 2 agents by these [kinds]: `dist(front|left, cm 0..400)`. Live views show the
+     * description. An agent also believes percepts that contradict the description.
      */
     fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
 
     /**
-     * The board has room for [count] critical rules, which it checks itself every 5 ms against the percepts that its sensors [show][shows].
-     * It carries out the reflexes of these rules; the reflexes count as arrived [commands]. Only in version 2. Call this before the port is
-     * opened.
+     * The board can hold [count] critical rules. The board checks the rules every 5 ms against the percepts that its sensors [show][shows].
+     * The board carries out the reflexes of the rules, and reflexes count as arrived [commands]. Board rules need version 2. Call this
+     * function before the port is opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
     /**
-     * The board refuses [command], so the agent's plan fails with `error(act_refused)`.
-     * @throws IllegalStateException if the board speaks version 1, in which boards cannot refuse
+     * The board refuses [command]. The agent's plan then fails with `error(act_refused)`.
+     * @throws IllegalStateException if the board speaks version 1, which has no refusals
      */
     fun refuses(command: String): Board = apply { refusable(fake.whenAsked(command)) }
 
-    /** The board refuses every command for which [kind] is true: see the other [refuses]. */
+    /** The board refuses every command for which [kind] returns true. The effect is that of the other [refuses]. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** From now on the board carries out [command] at once. This ends the effect of [refuses] and [takes] on [command]. */
+    /** The board carries out [command] at once from now on. Effects of [refuses] and [takes] on [command] end. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
-    /** The board needs [duration] to carry out [command], and does nothing else during that time. */
+    /** The board takes [duration] for [command], and does nothing else in that time. */
     fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
 
-    /** The board needs [duration] to boot when its port is opened, and loses all bytes that arrive during that time. */
+    /** The board takes [duration] to boot when its port is opened. The board loses all bytes that arrive in that time. */
     fun boots(duration: Duration): Board = apply {
         bootMs = millis(duration)
         fake.bootTakes(bootMs)
     }
 
-    /** The board delays each answer to a request for percepts by [duration], and does nothing else during that time. */
+    /** The board delays each answer to a request for percepts by [duration]. The board does nothing else in that time. */
     fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
 
     /**
-     * The board restarts now, as after a reset by its watchdog or a dip of its supply. The port stays open. The board forgets the session
-     * of version 2, and loses all bytes that arrive within [booting].
+     * The board restarts now, as after a reset or a drop of its supply voltage. The port stays open. The board forgets the version 2
+     * session, and loses all bytes that arrive within [booting].
      */
     fun restarts(booting: Duration): Board = apply {
         if (!isOpen) return@apply
@@ -238,18 +241,18 @@ class Board internal constructor(private val time: VirtualTime) {
         threads.forEach(Thread::interrupt)
     }
 
-    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. During that time the agent's `argo.port` waits. */
+    /** The board's port takes [duration] to open, as a Bluetooth adapter does. The agent's `argo.port` waits for that time. */
     fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
 
-    /** The board hangs: it neither answers nor acts until [recovers] is called. The agent believes `port(P,timeout)`. */
+    /** The board neither answers nor acts until [recovers] is called. The agent believes `port(P,timeout)`. */
     fun hangs(): Board = apply { fake.stall() }
 
-    /** The board continues where it [hung][hangs]. */
+    /** The board continues after [hangs]. */
     fun recovers(): Board = apply { fake.resume() }
 
     /**
-     * The board's cable is pulled. Opening the port fails with `error(no_such_port)` until [reconnects] is called. If the port is open, the
-     * agent believes `port(P,off)`. The board has no power, so [hangs] has no effect any more.
+     * The board's cable is unplugged. Opening the port fails with `error(no_such_port)` until [reconnects] is called. If the port is open,
+     * the agent believes `port(P,off)`. The board loses its power, so [hangs] ends.
      */
     fun disconnects(): Board = apply {
         isConnected = false
@@ -261,16 +264,18 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board's cable is plugged in again. */
     fun reconnects(): Board = apply { isConnected = true }
 
-    /** [owner], an agent or a program, uses the board's port. Opening the port fails with `error(port_busy)` until [admits] is called. */
+    /**
+     * [owner], another agent or program, uses the board's port. Opening the port fails with `error(port_busy)` until [admits] is called.
+     */
     fun belongsTo(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
 
     /** The agent has no permission to open the board's port. Opening fails with `error(port_permission)` until [admits] is called. */
     fun deniesAccess(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
 
-    /** The board's port is free, and the agent has permission to open it. */
+    /** The board's port is free, and the agent may open it. */
     fun admits(): Board = apply { refusal = null }
 
-    /** True if the agent has the board's port open. */
+    /** True if the agent has opened the board's port. */
     val isOpen: Boolean get() = line?.let { !it.isGone } ?: played?.link?.isOpen ?: false
 
     /** The messages that have arrived, in the order of arrival: requests for percepts, and commands. */
@@ -282,19 +287,19 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The [commands], each with the time of its arrival. */
     val arrivals: List<Arrival> get() = timed.filterNot { PerceptsRequest.isIn(it.command) }
 
-    /** The requests for percepts that have arrived, in order: `getPercepts`, in version 2 perhaps with the functors asked for. */
+    /** The arrived requests for percepts, in order of arrival: `getPercepts`, in version 2 possibly with functors. */
     val requests: List<String> get() = received.filter(PerceptsRequest::isIn)
 
     private val timed: List<Arrival> get() = fake.receivedMessages().map { Arrival(it.text(), it.nanos().nanoseconds) } + replayed
 
     private val now: Duration get() = time.nanos().nanoseconds
 
-    /** The [arrivals], each with true if an expectation has used it. */
+    /** The [arrivals]. The boolean is true if an expectation has used the arrival. */
     internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
-    /** Marks [command] as used by an expectation; false if no unused one has arrived at an [acceptable time][isTimely]. */
+    /** Marks [command] as used by an expectation. Returns false if no unused one has arrived at an [acceptable time][isTimely]. */
     internal fun take(command: String, isTimely: (Duration) -> Boolean = { true }): Boolean {
         val index = arrivals.withIndex().firstOrNull { (i, it) -> i !in taken && it.command == command && isTimely(it.at) }?.index
             ?: return false
@@ -306,11 +311,10 @@ class Board internal constructor(private val time: VirtualTime) {
 
     internal val isPresent: Boolean get() = isConnected
 
-    /** True if the board's port leads to the robot that its name denotes: see [playsItsMapping]. */
     internal var isMapped = false
         private set
 
-    /** Opens the board's port to the robot that the [port]'s name denotes. */
+    /** Opens the robot that the name [port] denotes. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time, bag) { name, message -> taking += "$name $message" }
@@ -341,11 +345,11 @@ class Board internal constructor(private val time: VirtualTime) {
             try {
                 program.run(line.board())
             } catch (_: PortGoneException) {
-                // the agent closed its port, or the cable was pulled
+                // the agent closed its port, or the cable was unplugged
             } catch (_: PortInterruptedException) {
-                Thread.interrupted() // the board restarts, or the test is over
+                Thread.interrupted() // the board restarts, or the test has ended
             } catch (_: InterruptedException) {
-                // likewise
+                // the board restarts, or the test has ended
             }
         } while (isToRestart)
     }
@@ -353,7 +357,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun end() {
         recovers()
         line?.unplug()
-        threads.forEach(Thread::interrupt) // a replay or a slow command may be running
+        threads.forEach(Thread::interrupt) // interrupts a replay or a slow command
     }
 
     private fun answers(answer: (Set<String>) -> String) = apply {
@@ -387,7 +391,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** Refuses a malformed percept: the agent would leave it out, and each later `shouldNotSend` would pass. */
+/** Refuses a malformed percept. The agent would ignore it, and a later `shouldNotSend` would then pass for the wrong reason. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

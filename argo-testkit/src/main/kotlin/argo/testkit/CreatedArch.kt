@@ -4,9 +4,9 @@ import argo.Arch
 import argo.platform.Platform
 
 /**
- * Returns the factory for the architecture of an agent that another agent creates.
+ * Returns the factory of the architecture for an agent that another agent creates.
  *
- * @param classes the classes in `agentArchClass(…)`; empty: the class of [father]
+ * @param classes the classes in `agentArchClass(…)`; if empty, the class of [father] is used
  * @throws IllegalArgumentException if the architecture cannot run in a test
  */
 internal fun archOf(classes: List<String>, father: TestAgent?): ((Platform) -> Arch)? = when {

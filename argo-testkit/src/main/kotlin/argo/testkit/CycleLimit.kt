@@ -3,8 +3,8 @@ package argo.testkit
 import kotlin.time.Duration
 
 /**
- * Runs the reasoning cycles of [agent]. Each cycle takes the agent's cycle time. Virtual time advances only when the agent sleeps, so the
- * number of cycles at one instant is limited.
+ * Runs the reasoning cycles of [agent]. Each cycle takes the agent's cycle time. Virtual time advances only while the agent sleeps. The
+ * number of cycles at one instant is therefore limited.
  */
 internal class CycleLimit(private val agent: TestAgent) {
     private val time get() = agent.mas.time
@@ -13,7 +13,8 @@ internal class CycleLimit(private val agent: TestAgent) {
     private var isBusy = false
 
     /**
-     * Runs one cycle and returns true. Returns false if the agent sleeps or its last cycle is not over. Fails if the agent never sleeps.
+     * Runs one cycle and returns true. Returns false if the agent sleeps, or if its last cycle has not ended. Fails if the agent never
+     * sleeps.
      */
     fun step(): Boolean {
         if (isBusy || !reason()) return false
@@ -45,7 +46,6 @@ internal class CycleLimit(private val agent: TestAgent) {
     }
 
     companion object {
-        /** The default limit of an agent's cycles at one instant; [TestMas.mostCycles] changes it. */
         const val MOST = 10_000
     }
 }

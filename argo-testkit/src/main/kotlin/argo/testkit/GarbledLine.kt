@@ -3,14 +3,14 @@ package argo.testkit
 import javino.Transport
 
 /**
- * The agent's end of [line], on which one in [oneIn] bytes has a wrong bit, in each direction. [oneIn] may change; 0 means that all bytes
- * are right. Wrong bytes come at equal distances, so all runs are equal.
+ * The agent's end of [line]. One in [oneIn] bytes has a wrong bit, in each direction. [oneIn] may change. 0 means no wrong bytes. Wrong
+ * bytes have equal distances, so that all runs are equal.
  */
 internal class GarbledLine(private val line: Transport, private val oneIn: () -> Int) : Transport by line {
     private var received = 0
     private var sent = 0
 
-    // `by line` does not forward calls of functions that have a body in the interface
+    // `by line` does not delegate functions that have a body in the interface
     override fun mayVanish() = line.mayVanish()
 
     override fun doubt(): String = line.doubt()

@@ -13,8 +13,8 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * The infrastructure of an agent under test: gives it a name, a mailbox and an environment, and wakes it. [mas]: the agents with which it
- * exchanges messages.
+ * The infrastructure of an agent under test. The infrastructure provides a name, a mailbox and an environment, and wakes the agent. [mas]
+ * contains the agents with which it exchanges messages.
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()
@@ -38,7 +38,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
         wake()
     }
 
-    /** Stops the agent, as Jason's infrastructure does. Further calls have no effect. */
+    /** Stops the agent, as Jason's infrastructure does. Later calls have no effect. */
     fun end() {
         if (!running) return
         running = false
@@ -83,7 +83,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 still calls this for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 still calls this function for some services
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {
@@ -112,7 +112,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new. This architecture is the first of the agent's. */
+/** Counts the cycles in which the agent has perceived something new. A counter is the first architecture of its agent. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

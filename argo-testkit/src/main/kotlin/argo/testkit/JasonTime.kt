@@ -8,7 +8,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Jason's scheduler for `.wait` and `.at`: in virtual time for agents under test, in real time for all others. */
+/** Jason's scheduler for `.wait` and `.at`. Uses virtual time for agents under test and real time for others. */
 internal class JasonTime private constructor(machine: ScheduledExecutorService) : SchedulerLayer(machine) {
     override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
         val time = VirtualTime.active() ?: return below.schedule(work, delay, unit)
@@ -29,7 +29,6 @@ internal class JasonTime private constructor(machine: ScheduledExecutorService) 
     }
 
     companion object {
-        /** Replaces Jason's scheduler once for all agents of this program. */
         fun install() = install(JasonTime::class.java, Place.TIME, ::JasonTime)
     }
 }

@@ -3,10 +3,10 @@ package argo.testkit
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
-/** The agents of a test and their configuration: the receiver of [mas]'s argument. */
+/** The agents of a test and their configuration. [mas]'s argument has this class as its receiver. */
 @TestSetUp
 class MasSetUp internal constructor(private val mas: TestMas) {
-    /** Adds the agent in the file [source], for which it searches like [argo.testkit.agent]. */
+    /** Adds the agent in the file [source]. [argo.testkit.agent] tells where the file is searched. */
     fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}) {
         make(found(source), setUp)
     }
@@ -26,6 +26,6 @@ class MasSetUp internal constructor(private val mas: TestMas) {
     }
 }
 
-/** Marks configurations, so that one agent's configuration cannot be nested in another's. */
+/** Prevents that one agent's configuration is nested in another's. */
 @DslMarker
 annotation class TestSetUp

@@ -9,12 +9,12 @@ import kotlin.io.path.writeText
 /**
  * Finds the file of the agent [source].
  *
- * @param first directories that are searched before the usual ones
- * @throws IllegalArgumentException if there is no such file
+ * @param first directories to search before the usual ones
+ * @throws IllegalArgumentException if the file does not exist
  */
 internal fun found(source: String, first: List<String> = emptyList()): Path = found("agent", source, first + DIRECTORIES)
 
-/** Finds the file called [name], a file of this [kind], in the first of [directories] that contains it. */
+/** Finds the file [name] in the first of [directories] that contains it. Messages call it a [kind]. */
 internal fun found(kind: String, name: String, directories: List<String>): Path {
     val places = directories.map { Path.of(it, name).toAbsolutePath().normalize() }
     return places.firstOrNull { it.isRegularFile() }

@@ -12,19 +12,20 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.toJavaDuration
 
 /**
- * Runs an agent's present program on the percepts of a recorded drive. The option `argo_record` makes such recordings:
+ * Runs an agent's current program on the percepts of a recorded drive. The option `argo_record` makes the recording:
  *
  *     test("the robot does in the corridor what it did") {
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * [WhatIf] describes when the result is exact.
+ * [WhatIf] tells when the result is exact.
  *
- * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
- * @param agent the name of the agent; null: the recording has only one agent
- * @param program the agent's present program, searched for like that of [argo.testkit.agent]; null: the file with the recorded name
- * @param filter the filter through which the agent perceives its boards; null: the recorded filters
- * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
+ * @param file the recording, a path from the test's working directory or from `src/test/resources` below it
+ * @param agent the agent's name, or null if the recording has one agent
+ * @param program the agent's current program, or null for the file with the recorded name. [argo.testkit.agent] tells where the program is
+ * searched
+ * @param filter the filter for percepts of boards, or null for the recorded filters
+ * @throws IllegalArgumentException if the file, agent or program does not exist, or if the recording cannot be replayed
  */
 fun replayed(
     file: String,
@@ -46,7 +47,7 @@ private fun <T> refusedInWords(work: () -> T): T = try {
     throw IllegalArgumentException(refused.message, refused)
 }
 
-/** An agent's present program on a recorded drive: see [replayed]. */
+/** An agent's current program on a recorded drive. [replayed] makes it. */
 class ReplayedDrive internal constructor(private val file: String, private val agent: String, whatIf: WhatIf) {
     private val before = whatIf.commands.toList()
     private val now = whatIf.commandsNow.toList()
@@ -54,17 +55,17 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     private val differenceWithin: (Duration) -> CommandDifference? =
         whatIf.endNs.let { end -> { within -> CommandDifference.first(before, now, within.toJavaDuration(), end) } }
 
-    /** The commands of the recording, in their order. */
+    /** The commands of the recording, in order. */
     val recorded: List<String> get() = before.map { it.text }
 
-    /** The commands of the present program, in their order. */
+    /** The commands of the current program, in order. */
     val sent: List<String> get() = now.map { it.text }
 
     /**
-     * Expects the recorded commands, in their order, each at its recorded time.
+     * Expects the recorded commands in order, each at its recorded time.
      *
-     * @param within the most time by which a command may be earlier or later
-     * @throws AssertionError with the first command that differs
+     * @param within the tolerance for the times
+     * @throws AssertionError with the first different command
      */
     fun shouldSendTheSame(within: Duration = WITHIN): ReplayedDrive = apply {
         differenceWithin(within)?.let { throw AssertionError(reportOf(it)) }
@@ -94,7 +95,7 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     }
 
     private companion object {
-        /** The default limit of the time by which a command may be earlier or later. */
+        /** The default tolerance for the times of commands. */
         val WITHIN = 100.milliseconds
         const val SHOWN_BEFORE = 3
         const val SHOWN = 7

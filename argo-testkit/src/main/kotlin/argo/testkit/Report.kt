@@ -34,7 +34,7 @@ internal fun TestAgent.whyBlind(): String {
     }
 }
 
-/** Describes the percepts of the agent's boards, what filters do with them, and whether the agent perceives the boards. */
+/** Describes the percepts of the agent's boards, the effect of filters on them, and whether the agent perceives the boards. */
 private fun TestAgent.boards(): List<String> {
     val agent = observed() ?: return emptyList()
     val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // these names are in Jason's syntax, with quotes
@@ -50,7 +50,6 @@ private fun TestAgent.boards(): List<String> {
     }
 }
 
-/** Describes what happens to [percept]; null: the agent believes it unchanged. */
 private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Boolean): String? {
     val fault = whyLeftOut(percept.trim())
     return when {
@@ -70,7 +69,7 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
         "at ${arrival.at.inWholeMilliseconds} ms: ${arrival.command}${if (isTaken) ", taken by an earlier expectation" else ""}"
     }
 
-/** Selects the newest entries, and all errors, even old ones, since an unreadable program is reported at the start. */
+/** Selects the newest entries and all errors. An unreadable program is reported at the start, so its error may be old. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
         .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }

@@ -10,18 +10,18 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * An agent under test, in virtual time. Virtual time advances only inside [after], [perceives] and the functions that begin with `should`.
- * The agent reasons until it sleeps. When every thread waits, time jumps to the end of the shortest wait of the agent, its boards and their
+ * An agent under test, in virtual time. Virtual time advances only in [after], [perceives] and functions whose names begin with `should`.
+ * The agent reasons until it sleeps. If all threads wait, time jumps to the end of the shortest wait of the agent, its boards and their
  * lines.
  *
- * An expectation waits until it is met, up to one second of virtual time or the given time. An expectation that something does not happen
- * watches for the whole time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
+ * An expectation waits until it is met. The limit is one second of virtual time, or the given time. An expectation that something does not
+ * happen waits for the whole time. A failed expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
  * log.
  *
- * May be used by one thread at a time.
+ * Not safe for use by several threads at once.
  */
 class TestAgent internal constructor(
-    /** All agents of this agent's test, including itself and the agents that agents have created. */
+    /** All agents of this test, including those that agents have created. */
     val mas: TestMas,
     file: Path?,
     called: String,
@@ -42,45 +42,44 @@ class TestAgent internal constructor(
     private val inspector = AgentInspector(ts)
     internal val cycles = CycleLimit(this)
 
-    /** The directories that are searched first for programs of agents that this agent creates. */
+    /** The directories that are searched first for the programs of created agents. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
-    /** The agent's name. */
     val name: String get() = setUp.name
 
-    /** False if the agent has been stopped, as by `.stopMAS` or `.kill_agent`, or closed. */
+    /** False if the agent was stopped, for example by `.stopMAS` or `.kill_agent`, or closed. */
     val isRunning: Boolean get() = infra.isRunning
 
     /** The board on the agent's first port. */
     val board: Board get() = platform.first()
 
-    /** Returns the board on [port], in the agent's notation. */
+    /** Returns the board on [port]. The port is written as in agents. */
     fun board(port: String): Board = platform.at(port)
 
-    /** The virtual time since the test began. */
+    /** The virtual time since the start of the test. */
     val now: Duration get() = time.nanos().nanoseconds
 
-    /** The commands that have arrived at the agent's boards, board by board in their order. */
+    /** The commands that have arrived at the agent's boards. The commands are grouped by board, each group in order of arrival. */
     val sent: List<String> get() = platform.all().flatMap { it.commands }
 
-    /** The commands that have arrived at the agent's boards, each with its time, in the order of these times. */
+    /** The commands that have arrived at the agent's boards, with their times, in order of time. */
     val arrivals: List<Arrival> get() = platform.all().flatMap { it.arrivals }.sortedBy { it.at }
 
     /** The agent's beliefs, without annotations and rules, in alphabetical order. */
     val beliefs: List<String> get() = inspector.beliefs
 
-    /** The agent's intentions: `!patrol at .wait(500)`; in an intention with several goals the latest goal comes first. */
+    /** The agent's intentions, such as `!patrol at .wait(500)`. If an intention has several goals, the latest one is first. */
     val intentions: List<String> get() = inspector.intentions
 
-    /** The lines that the agent has printed, with `.print` and similar actions. */
+    /** The lines that the agent has printed by `.print` and similar actions. */
     val printed: List<String> get() = mas.log.printedBy(name)
 
-    /** The log so far without records of the test's other agents. Each record has its level. */
+    /** The log up to now, without records of other agents. Each record has its level. */
     val log: List<String> get() = entries.map { "$it" }
 
     internal val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
 
-    /** The messages that the agent has sent to other agents: `tell(bob,ready)`. */
+    /** The messages that the agent has sent to other agents, such as `tell(bob,ready)`. */
     val said: List<String> get() = infra.said.map(::described)
 
     /** Advances time by [duration]. */
@@ -88,13 +87,13 @@ class TestAgent internal constructor(
 
     /**
      * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived these percepts.
-     * Fails if the percepts do not reach the agent in the time [within], for example because perceiving is blocked.
-     * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [perceivesRaw]
+     * Fails if the agent does not perceive them within the time [within], for example because it blocks percepts.
+     * @throws IllegalArgumentException if an agent would ignore a malformed percept, such as `dist(front`. Use [perceivesRaw] for it
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
         perceives(percepts.joinToString().ifEmpty { "no percepts" }, within) { shows(*percepts) }
 
-    /** Like [perceives], but the board sends exactly [message], even if it is malformed: `dist(front;)(;`. */
+    /** Works like [perceives], but the board sends exactly [message]. [message] may be malformed: `dist(front;)(;`. */
     fun perceivesRaw(message: String, within: Duration = PATIENCE): TestAgent = perceives(message, within) { showsRaw(message) }
 
     private fun perceives(what: String, within: Duration, shows: Board.() -> Unit): TestAgent = apply {
@@ -109,7 +108,7 @@ class TestAgent internal constructor(
         mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }
 
-    /** Sends the agent [content] from [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one that `.send` accepts. */
+    /** Sends the agent [content] from [sender], as in `hears("boss", "achieve", "patrol")`. [performative] is a performative of `.send`. */
     fun hears(sender: String, performative: String, content: String): TestAgent = apply {
         require(performative in Message.knownPerformatives) {
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
@@ -121,13 +120,13 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects [command] at one of the agent's boards. Each arrived command fulfils one expectation. */
+    /** Expects [command] at one of the agent's boards. Each arrival fulfils one expectation. */
     fun shouldSend(command: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. With this, a test checks
-     * how promptly the agent reacts to something that the test did at [since]. Each arrived command fulfils one expectation.
+     * Expects [command] at one of the agent's boards between [since] and [since] + [within]. [since] is a past value of [now]. A test can
+     * thus check how fast the agent reacts to something at [since]. Each arrival fulfils one expectation.
      * @throws IllegalArgumentException if [since] is in the future
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
@@ -139,15 +138,21 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects that [command] has not arrived at the agent's boards and does not. Arrivals that fulfilled [shouldSend] do not count. */
+    /**
+     * Expects that [command] has not arrived at the agent's boards, and does not arrive. Arrivals that fulfilled a [shouldSend] do not
+     * count.
+     */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends $command") { platform.all().any { command in it.unexpected } }
 
-    /** Expects that no command has arrived at the agent's boards and none arrives. Arrivals that fulfilled [shouldSend] do not count. */
+    /** Expects that no command has arrived at the agent's boards, and none arrives. Arrivals that fulfilled a [shouldSend] do not count. */
     fun shouldSendNothingElse(during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends anything else") { platform.all().any { it.unexpected.isNotEmpty() } }
 
-    /** Expects that the agent believes [formula] at some time: a belief such as `dist(front,_)`, or a condition as in a plan's context. */
+    /**
+     * Expects that the agent believes [formula] at some time. [formula] is a belief such as `dist(front,_)`, or a condition as in a plan's
+     * context.
+     */
     fun shouldBelieve(formula: String, within: Duration = PATIENCE): TestAgent =
         formula(formula).let { expect(within, "believes $formula") { inspector.believes(it) } }
 
@@ -155,7 +160,7 @@ class TestAgent internal constructor(
     fun shouldNotBelieve(formula: String, during: Duration = PATIENCE): TestAgent =
         formula(formula).let { refuse(during, "believes $formula") { inspector.believes(it) } }
 
-    /** Expects [goal] among the agent's intentions at some time: `patrol`, `goto(3,_)`. */
+    /** Expects that [goal] is among the agent's intentions at some time, such as `patrol` or `goto(3,_)`. */
     fun shouldIntend(goal: String, within: Duration = PATIENCE): TestAgent =
         goal(goal).let { expect(within, "intends $goal") { inspector.intends(it) } }
 
@@ -163,18 +168,20 @@ class TestAgent internal constructor(
     fun shouldNotIntend(goal: String, during: Duration = PATIENCE): TestAgent =
         goal(goal).let { refuse(during, "intends $goal") { inspector.intends(it) } }
 
-    /** Expects that the agent has printed a line that contains [text], or prints one. */
+    /** Expects that the agent has printed or prints a line that contains [text]. */
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "prints $text") { printed.any { text in it } }
 
-    /** Expects that the agent has sent [message], or sends it: `tell(bob,ready)`, or to all agents `tell(everybody,ready)`. */
+    /**
+     * Expects that the agent has sent or sends [message], such as `tell(bob,ready)`. A message to all agents is `tell(everybody,ready)`.
+     */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
-    /** Expects that the agent is stopped, as by `.stopMAS` or `.kill_agent`. */
+    /** Expects that the agent has stopped, for example by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** Stops the agent, as `.kill_agent` does. The agent's boards remain, with their ports closed. */
+    /** Stops the agent, as `.kill_agent` does. The agent's boards remain, and their ports are closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)
@@ -190,7 +197,7 @@ class TestAgent internal constructor(
         if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n${report()}")
     }
 
-    /** Wakes the agent at least once a second, as Jason does. */
+    /** Wakes the agent each second, as Jason does. */
     private fun wakeEachSecond() {
         infra.wake()
         if (isRunning) time.later(nanos(1.seconds), ::wakeEachSecond)
@@ -211,7 +218,7 @@ class TestAgent internal constructor(
     override fun close() = mas.close()
 
     internal companion object {
-        /** The second request shows that the agent has read the board's answer to the first. */
+        /** The second request shows that the agent has read the first answer. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }
 }
@@ -219,7 +226,7 @@ class TestAgent internal constructor(
 /** The default time limit of an expectation. */
 internal val PATIENCE = 1.seconds
 
-/** @throws IllegalArgumentException if [duration] is negative or longer than a test can be */
+/** @throws IllegalArgumentException if [duration] is negative or too long */
 internal fun nanos(duration: Duration): Long {
     require(!duration.isNegative()) { "time does not go back: $duration" }
     require(duration <= LONGEST) { "a test lasts $LONGEST at most, not $duration" }

@@ -12,31 +12,32 @@ import java.util.logging.Logger
 import kotlin.time.Duration
 
 /**
- * Agents under test that exchange messages, in one virtual time: see [mas]. Each agent has its own ports, as on a computer of its own.
+ * Agents under test that exchange messages in one virtual time. [mas] starts them. Each agent has its own ports, as if on a computer of its
+ * own.
  *
- * May be used by one thread at a time.
+ * Not safe for use by several threads at once.
  */
 class TestMas internal constructor() : AutoCloseable {
     internal val time = VirtualTime().also { it.mas = this }
     internal val log = AgentLog(time)
     private val agents = LinkedHashMap<String, TestAgent>() // the last agent of each name
     private val made = ArrayList<TestAgent>()
-    private val strangers = HashSet<Pair<String, String>>() // pairs of sender and receiver, if the receiver is no agent of this test
+    private val strangers = HashSet<Pair<String, String>>() // pairs of sender and receiver whose receiver is no agent of this test
     private var closed = false
 
-    /** Returns the time that a message between agents of the test takes. Called when the message is sent. */
+    /** Returns the delivery time of a message between agents of the test. Called when the message is sent. */
     internal var delayOf: (Message) -> Duration = { Duration.ZERO }
 
     internal var mostCycles = CycleLimit.MOST
 
-    /** Makes the observer of a new agent; null: no agent has an observer. */
+    /** Makes the observer of a new agent, or null for no observers. */
     internal var observing: ((ObservedAgent) -> AgentObserver)? = null
 
-    /** The names of the running agents, in the order in which they were made. */
+    /** The names of the running agents, in order of creation. */
     val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
 
     /**
-     * Returns the agent called [name], even if it has been stopped.
+     * Returns the agent [name], even if it has stopped.
      * @throws IllegalArgumentException if there is no such agent
      */
     operator fun get(name: String): TestAgent =
@@ -50,18 +51,18 @@ class TestMas internal constructor() : AutoCloseable {
     fun after(duration: Duration): TestMas = apply { pass(duration) { false } }
 
     /**
-     * Advances time until [reached] is true, at most by [duration]. Returns whether [reached] is true.
-     * @throws IllegalStateException if the test agents are closed
+     * Advances time until [reached] returns true, by at most [duration]. Returns the last result of [reached].
+     * @throws IllegalStateException if the agents are closed
      */
     internal fun pass(duration: Duration, reached: () -> Boolean): Boolean = open { time.advanceUntil(nanos(duration), reached) }
 
-    /** Calls [work] and returns its result; fails if the agents are closed. */
+    /** Calls [work] and returns its result. Fails if the agents are closed. */
     internal fun <T> open(work: () -> T): T {
         check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; expectations of them belong before that" }
         return work()
     }
 
-    /** Calls [making], which makes agents, and then lets all agents run. If [making] fails, all agents are stopped. */
+    /** Calls [making], which makes agents, and then runs all agents. If [making] fails, all agents stop. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()
@@ -77,7 +78,6 @@ class TestMas internal constructor() : AutoCloseable {
         }
     }
 
-    /** Makes an agent that runs from the next instant on. */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
         require(wanted.name !in names) {
             "there is an agent ${wanted.name} already; give the other one another name, by \"name = …\" in its braces"
@@ -89,7 +89,7 @@ class TestMas internal constructor() : AutoCloseable {
         }
     }
 
-    /** Returns a name for a new agent: [base], or [base] with a number. */
+    /** Returns an unused name for a new agent: [base], possibly with a number. */
     internal fun newName(base: String): String =
         (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
 
@@ -97,7 +97,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Delivers [message] to its receiver. If the receiver is no agent of the test, the sender's log reports this once. */
+    /** Delivers [message] to its receiver. If the receiver is no agent of the test, reports this once in the sender's log. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)
@@ -114,32 +114,31 @@ class TestMas internal constructor() : AutoCloseable {
         )
     }
 
-    /** Delivers [message] to all agents except its sender. */
     internal fun broadcast(message: Message) = running().filter { it.name != message.sender }.forEach { other ->
         deliver(message.clone().apply { receiver = other.name })
     }
 
-    /** Stops [agents] after [deadlineMs] ms of virtual time, and announces this to them at once. */
+    /** Announces the end to [agents], and stops them after [deadlineMs] ms of virtual time. */
     internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
         if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
-        time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // timers never run within a reasoning cycle
+        time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // timers do not run within a reasoning cycle
     }
 
     private fun shuttingDown(deadlineMs: Int) =
         Trigger(TEOperator.add, TEType.belief, ASSyntax.createLiteral("jag_shutting_down", ASSyntax.createNumber(deadlineMs.toDouble())))
 
-    /** Returns the log's entries about the agent [name], and those that are about no agent. */
+    /** Returns the log entries of the agent [name] and the entries of no agent. */
     internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {
-        TestServices.install() // a multi-agent system that has started since then may have installed its own services
+        TestServices.install() // another multi-agent system may have installed its own services
         var isBusy = false
         for (agent in running()) if (agent.cycles.step()) isBusy = true
         return isBusy
     }
 
     /**
-     * Stops all agents and removes their boards. May be called twice.
+     * Stops all agents and removes their boards. A second call has no effect.
      * @throws IllegalStateException if an agent's architecture leaves a thread behind
      */
     override fun close() {
@@ -165,7 +164,7 @@ class TestMas internal constructor() : AutoCloseable {
     private companion object {
         const val NANOS_PER_MS = 1_000_000L
 
-        /** Names that have another meaning in Jason. */
+        /** Names with another meaning in Jason. */
         val RESERVED = listOf("self", "percept")
     }
 }

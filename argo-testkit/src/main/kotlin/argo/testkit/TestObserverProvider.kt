@@ -5,7 +5,7 @@ import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
 import java.util.logging.Logger
 
-/** Gives an agent under test the observer from its [TestMas]. */
+/** Gives an agent under test the observer of its [TestMas]. */
 class TestObserverProvider : AgentObserverProvider {
     override val option: String get() = OPTION
 

@@ -8,7 +8,7 @@ import javino.link.Link
 import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 
-/** The platform of an agent under test: [time] and simulated boards. A port that the test has not named gets a board when it is opened. */
+/** The platform of an agent under test: [time] and simulated boards. A port that the test does not name gets a board when it is opened. */
 internal class TestPlatform(private val time: VirtualTime) : Platform {
     private val boards = LinkedHashMap<String, Board>()
     private var unnamed: Board? = null
@@ -31,10 +31,9 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
 
     override fun isPresent(port: String) = at(port).isPresent
 
-    /** Returns the board on [port]. The first named port gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
-    /** Returns the board of the first port. If there is no port so far, this is the board of the first port that the agent will open. */
+    /** Returns the board of the first port. If there is no port yet, this will be the board of the first port that the agent opens. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
     fun named(): Map<String, Board> = boards

@@ -12,9 +12,9 @@ import java.lang.reflect.Proxy
 import java.rmi.RemoteException
 
 /**
- * The runtime services for Jason's internal actions, such as `.create_agent` and `.stopMAS`. The [TestMas] of the calling agent serves a
- * call; calls of other agents go to the real multi-agent system. Calls are dispatched by name, since versions of Jason name some services
- * differently.
+ * The runtime services of Jason's internal actions, such as `.create_agent` and `.stopMAS`. A call by an agent under test goes to its
+ * [TestMas]. Calls of other agents go to the real multi-agent system. Calls are dispatched by name, since Jason's versions name some
+ * services differently.
  */
 internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
     override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {
@@ -24,7 +24,7 @@ internal class TestServices private constructor(private val real: RuntimeService
 
     private fun delegate(method: Method, arguments: Array<out Any?>): Any? {
         if (real == null) {
-            if (method.name == "isRunning") return false // a real agent asks this before it begins
+            if (method.name == "isRunning") return false // a real agent asks this before its start
             throw RemoteException("no multi-agent system is running here")
         }
         try {
@@ -36,7 +36,7 @@ internal class TestServices private constructor(private val real: RuntimeService
 
     private fun serve(mas: TestMas, service: String, with: Array<out Any?>): Any? = when (service) {
         "createAgent" -> createAgent(mas, with)
-        "startAgent" -> Unit.let { null } // an agent of a test runs as soon as it is made
+        "startAgent" -> Unit.let { null } // an agent of a test runs from its creation on
         "killAgent" -> killAgent(mas, with[0] as String, with[1] as String, with[2] as Int)
         "stopMAS" -> mas.stop(mas.running(), with.getOrElse(0) { 0 } as Int).let { null }
         "getNewAgentName" -> mas.newName(with[0] as String)

@@ -6,7 +6,7 @@ import jason.asSyntax.parser.TokenMgrError
 import java.nio.file.Path
 import kotlin.io.path.readLines
 
-/** Calls [work], which reads the program in [file]. If Jason cannot read the program, called [called], the error names the place. */
+/** Calls [work], which reads the program in [file]. If Jason cannot read the program [called], the error names the place. */
 internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     work()
 } catch (unreadable: ParseException) {
@@ -15,7 +15,7 @@ internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     throw IllegalArgumentException("Jason cannot read $called: ${unreadable.message.orEmpty().trim()}", unreadable)
 }
 
-/** Returns the message with the unreadable line, and a mark below the place in it. */
+/** Returns the message with the faulty line, and a mark below the fault. */
 private fun whatWasFound(unreadable: ParseException, file: Path?): String {
     val found = unreadable.currentToken?.next
     val line = found?.let { file?.readLines().orEmpty().getOrNull(it.beginLine - 1) } ?: return unreadableAt(unreadable)

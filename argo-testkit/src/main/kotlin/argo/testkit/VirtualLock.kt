@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
-/** A reentrant, fair lock for the threads of [time]. Only one thread of [time] runs at once. */
+/** A reentrant, fair lock for the threads of [time]. Only one thread of [time] runs at a time. */
 internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var owner: Any? = null
     private var holds = 0
     private val asking = ArrayDeque<Any>()
 
-    private fun me(): Any = time.running ?: time // [time] itself represents its driver, for which running is null
+    private fun me(): Any = time.running ?: time // [time] stands for the driver, for which running is null
 
     private fun isFree() = holds == 0 || owner === me()
 
@@ -75,7 +75,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
         override fun awaitNanos(nanosTimeout: Long): Long {
             requireMine()
             val deadline = time.nanos() + nanosTimeout
-            wait(if (deadline < 0) null else deadline, true) // if the sum overflows, the wait has no limit
+            wait(if (deadline < 0) null else deadline, true) // an overflow means no limit
             return deadline - time.nanos()
         }
 

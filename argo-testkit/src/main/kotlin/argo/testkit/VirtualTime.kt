@@ -8,11 +8,11 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time. Virtual time advances only when all threads that [start] has started are waiting; it then jumps to the end of the shortest
- * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
+ * Virtual time. Virtual time advances only when all threads from [start] wait. Time then jumps to the end of the shortest wait. The threads
+ * run one at a time in a fixed order. A test thus gives equal results on any machine.
  *
- * The thread of the test is the driver of this time: it calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
- * There must be only one driver at once.
+ * The test's thread drives this time. The driver calls [advance] or [advanceUntil], or waits for a lock or a condition of this time. There
+ * may be only one driver at a time.
  */
 internal class VirtualTime : LineClock {
     private val threads = ArrayList<VirtualThread>()
@@ -21,7 +21,7 @@ internal class VirtualTime : LineClock {
     private var nowNanos = 0L
     private var timersSoFar = 0L
 
-    /** Does a part of the work that agents have to do now, on the driver's thread; returns false if there was none. */
+    /** Does a part of the agents' pending work on the driver's thread. Returns false if there was none. */
     var work: () -> Boolean = { false }
 
     var mas: TestMas? = null
@@ -45,7 +45,7 @@ internal class VirtualTime : LineClock {
         it.start()
     }
 
-    /** Calls [action] on the driver's thread after [delayNanos]. The action must not wait. Returns a function that cancels the call. */
+    /** Calls [action] on the driver's thread after [delayNanos]. [action] must not wait. Returns a function that cancels the call. */
     fun later(delayNanos: Long, action: () -> Unit): () -> Unit {
         val timer = Timer(nowNanos + maxOf(0, delayNanos), timersSoFar++, action)
         timers += timer
@@ -55,9 +55,9 @@ internal class VirtualTime : LineClock {
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
     /**
-     * Advances time until [reached] is true, at most by [nanos]. Returns the last result of [reached]. Work that is due at the last instant
-     * is still done.
-     * @throws InterruptedException if the driver is interrupted, as by a test's time limit
+     * Advances time until [reached] returns true, by at most [nanos]. Returns the last result of [reached]. Work that is due at the last
+     * instant is still done.
+     * @throws InterruptedException if the driver is interrupted, for example by a test's time limit
      */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
         val end = nowNanos + nanos
@@ -65,7 +65,7 @@ internal class VirtualTime : LineClock {
             if (Thread.interrupted()) throw InterruptedException("the test was interrupted")
             val rests = settle()
             if (reached()) return@driving true
-            if (nowNanos > end) return@driving false // an agent that waited inside its cycle has advanced time
+            if (nowNanos > end) return@driving false // an agent waited inside its cycle and advanced time further
             if (rests) nowNanos = nextInstant()?.takeIf { it <= end } ?: break
         }
         nowNanos = maxOf(nowNanos, end)
@@ -84,11 +84,12 @@ internal class VirtualTime : LineClock {
 
     fun interruptAll() = threads.forEach { it.interrupt() }
 
-    /** The running thread of this time; null: the driver. */
+    /** The running thread of this time, or null for the driver. */
     val running: Any? get() = Thread.currentThread().let { if (it is VirtualThread && it.time === this) it else null }
 
     /**
-     * Waits until [ready] returns true, or until the time [deadlineNanos]; null: without limit. Call this on the thread that waits.
+     * Waits until [ready] returns true, or until the time [deadlineNanos]. Null means no time limit. The waiting thread calls this
+     * function.
      * @throws InterruptedException if the wait is [interruptible] and was interrupted
      */
     fun block(deadlineNanos: Long?, interruptible: Boolean, ready: () -> Boolean) {
@@ -103,12 +104,11 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** Runs one thread or timer that is due; returns false if none is due. */
     private fun runReady(): Boolean {
         threads.removeAll { it.over }
         val thread = threads.firstOrNull { it.canRun() }
         if (thread != null) {
-            threads -= thread // the other threads run before this thread runs again
+            threads -= thread // the other threads run first
             threads += thread
             resume(thread)
             return true
@@ -128,8 +128,8 @@ internal class VirtualTime : LineClock {
     }
 
     /**
-     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver goes on to wait even if it is interrupted, since it
-     * must not run at the same time as a thread.
+     * Returns true if the resumed thread waits or ends within [STUCK_S]. An interrupt does not end this wait, since the driver must not run
+     * together with a thread.
      */
     private fun returns(): Boolean {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
@@ -147,12 +147,12 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** Returns the time, not in the past, at which the next thread or timer is due; null: none is due. */
+    /** Returns the time of the next thread or timer, but at least the current time. Returns null if there is none. */
     private fun nextInstant(): Long? =
         (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
             .minOrNull()?.let { maxOf(it, nowNanos) }
 
-    /** Calls [work] in this time: threads that [work] starts, and records that it logs, belong to this time. */
+    /** Calls [work] in this time. Threads that it starts and records that it logs then belong to this time. */
     fun <T> driving(work: () -> T): T {
         val before = ACTIVE.get()
         ACTIVE.set(this)
@@ -166,8 +166,8 @@ internal class VirtualTime : LineClock {
     private class Timer(val atNanos: Long, val number: Long, val action: () -> Unit)
 
     /**
-     * A thread that runs only when the driver resumes it, and resumes the driver when it waits or ends. An interrupt while it waits for the
-     * driver takes effect when the thread runs again.
+     * A thread that runs only when the driver resumes it. The thread resumes the driver when it waits or ends. An interrupt during the
+     * driver's turn takes effect when the thread runs again.
      */
     private inner class VirtualThread(name: String, private val body: () -> Unit) : Thread(name) {
         val time get() = this@VirtualTime
@@ -227,10 +227,10 @@ internal class VirtualTime : LineClock {
     companion object {
         private val ACTIVE = ThreadLocal<VirtualTime?>()
 
-        /** Returns the virtual time of the calling thread, which runs in it or drives it; null: there is none. */
+        /** Returns the virtual time in which the calling thread runs or which it drives, or null if there is none. */
         fun active(): VirtualTime? = (Thread.currentThread() as? VirtualThread)?.time ?: ACTIVE.get()
 
-        /** The limit of the real time for which a resumed thread may run, in s. */
+        /** The longest real time for which a resumed thread may run, in s. */
         private const val STUCK_S = 30L
     }
 }

@@ -58,7 +58,7 @@ class ActingOptionsSpec : FunSpec({
                 -!do(W,_)[error(E),error_msg(M)] <- +failed(W,E); .print(M).
             """) {
                 if (version == 2) board.version2()
-                board.boots(1.seconds) // until then all of them wait
+                board.boots(1.seconds) // all commands wait until then
             }.use { bob ->
                 bob.shouldBelieve("done(say(2))", within = 10.seconds).sent shouldBe listOf("walk(1)", "speed(3)", "say(1)", "say(2)")
                 bob.shouldBelieve("failed(walk(0),act_replaced) & failed(speed(1),act_replaced) & failed(speed(2),act_replaced)")
@@ -151,7 +151,7 @@ class ActingOptionsSpec : FunSpec({
             bob.board.shows("dist(f,1)")
             val received = bob.after(5.seconds).board.received.dropWhile { it != "front" }
             received.count { it == "front" } shouldBeGreaterThan 200
-            // a command of 11 bytes takes 11.5 ms of the line, so at most 18 of them fit into two intervals
+            // a command of 11 bytes takes 11.5 ms of the line, so two intervals have room for at most 18
             val runs = received.joinToString(" ").split("getPercepts").map { run -> run.split(" ").count { it == "front" } }
             runs.max() shouldBeLessThanOrEqualTo 18
             runs.size shouldBeGreaterThan 20

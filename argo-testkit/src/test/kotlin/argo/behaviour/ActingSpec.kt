@@ -44,7 +44,7 @@ class ActingSpec : FunSpec({
             board.shows { listOf("dist(f,${n--})") }
         }.use { bob ->
             val received = bob.shouldSend("stop", within = 5.seconds).shouldSend("at(40)").board.received.takeWhile { it != "stop" }
-            // the answer to request 61 has 40 cm; the request on its way when it came and the one held back may follow it
+            // the answer to request 61 is 40 cm; one request under way and one held back may follow
             received.count { it == "getPercepts" } shouldBeInRange 61..63
             received.count { it == "front" } shouldBeInRange 61..183 // one to three commands for each request
         }

@@ -27,7 +27,6 @@ class BoardRulesSpec : FunSpec({
 
     fun TestAgent.isTo(goal: String) = hears("user", "achieve", goal)
 
-    /** Starts Bob, who asks his board once in [interval] ms. */
     fun bob(filter: String, interval: Int, setUp: AgentSetUp.() -> Unit) = project.agent("""
         !start.
         +!start <- argo.port(ttyACM0, [baud(115200)]); argo.limit($interval); argo.change_filter($filter); argo.percepts(open).
@@ -115,8 +114,7 @@ class BoardRulesSpec : FunSpec({
     }
 })
 
-/** Returns the number of the command [text] in the diary. */
 private fun Diary.numberOf(text: String) = lines.first { it.startsWith("issued") && " $text " in it }.split(" ")[1]
 
-/** Puts [report] on the board's line, as if one of its rules had begun to be met. */
+/** Puts [report] on the board's line, as if one of its rules had just been met. */
 private fun argo.testkit.Board.reports(report: CriticalReport) = disturbs(WireFrame.of(FrameKind.CRITICAL, 0, report.payload()))

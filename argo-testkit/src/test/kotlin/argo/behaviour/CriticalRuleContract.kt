@@ -13,10 +13,10 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The behaviour of critical rules that an agent may expect, whether its board or its computer watches them.
+ * The behaviour of critical rules, whether the board or the computer checks them.
  *
- * @param watcher the watching side, as `argo.explain` names it
- * @param canRefuse whether the board tells when it refuses a command
+ * @param watcher the side that checks the rules, as `argo.explain` names it
+ * @param canRefuse true if the board reports refused commands
  * @param setUp makes the board
  */
 abstract class CriticalRuleContract(watcher: String, canRefuse: Boolean = true, setUp: Board.() -> Unit) : FunSpec({
@@ -30,7 +30,7 @@ abstract class CriticalRuleContract(watcher: String, canRefuse: Boolean = true, 
     fun TestAgent.isTo(goal: String) = hears("user", "achieve", goal)
     fun TestAgent.count(command: String) = board.commands.count { it == command }
 
-    /** Starts an agent that perceives through the filter `careful`, and waits until its rules have been settled with the board. */
+    /** Starts an agent with the filter `careful`. Waits until board and computer have settled its rules. */
     fun bob(filter: String = "careful") = project.agent("""
         !start.
         +!start <- argo.port(ttyACM0, [baud(115200)]); argo.limit(20); argo.change_filter($filter); argo.percepts(open).

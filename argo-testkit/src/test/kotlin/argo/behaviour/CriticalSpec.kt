@@ -52,7 +52,7 @@ class CriticalSpec : FunSpec({
 
     test("a reflex goes out while the agent is busy, once while its rule stays met, and again when it begins anew") {
         project.filter("careful", "$near<filter><predicate>dist</predicate></filter>")
-        val stops = sortedMapOf<Duration, Int>() // at each request
+        val stops = sortedMapOf<Duration, Int>() // the number of stops at each request
         project.agent("""
             ${start()}
             +light(_) : not held <- +held; argo.behaviour.busy(2000); +free.
@@ -68,7 +68,7 @@ class CriticalSpec : FunSpec({
             stops.headMap(1.seconds).values.toSet() shouldBe setOf(0)
             stops.subMap(1.1.seconds, 1.6.seconds).values.toSet() shouldBe setOf(1)
             stops.tailMap(1.7.seconds).values.toSet() shouldBe setOf(2)
-            bob.perceives("dist(f,9)").shouldBelieve("saw_it").reflexes() shouldBe 2 // though the filter drops every dist
+            bob.perceives("dist(f,9)").shouldBelieve("saw_it").reflexes() shouldBe 2 // the rule sees dist, although the filter drops it
         }
     }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.logging.Logger
 
-/** An observer that notes its calls, one line for each but [cycleFinished]. */
+/** Writes one line for each call except [cycleFinished]. */
 internal class Diary(val agent: ObservedAgent) : AgentObserver {
     val lines = ConcurrentLinkedQueue<String>()
 
@@ -35,7 +35,6 @@ internal class Diary(val agent: ObservedAgent) : AgentObserver {
     }
 }
 
-/** An observer that throws at each call. */
 internal class Broken : AgentObserver {
     override fun messageFiltered(message: PerceivedMessage) = error("broken")
     override fun messagePerceived(message: PerceivedMessage) = throw StackOverflowError("broken")
@@ -49,7 +48,7 @@ internal class Broken : AgentObserver {
     override fun toString() = "an observer that throws"
 }
 
-/** Opens a [Diary] for `argo_diary`; for the value `none` it opens nothing. */
+/** Opens a [Diary] for `argo_diary`, or nothing for the value `none`. */
 internal class DiaryProvider : AgentObserverProvider {
     override val option = "argo_diary"
     override val usage = "a word"
@@ -57,12 +56,11 @@ internal class DiaryProvider : AgentObserverProvider {
         if (value == "none") null else Diary(agent).also { opened[value] = it }
 
     companion object {
-        /** The diaries by the value of their option. */
         val opened = ConcurrentHashMap<String, Diary>()
     }
 }
 
-/** Opens a [Broken] for `argo_broken`; for the value `open` it throws. */
+/** Opens a [Broken] for `argo_broken`, or throws for the value `open`. */
 internal class BrokenProvider : AgentObserverProvider {
     override val option = "argo_broken"
     override val usage = "a word"

@@ -12,9 +12,7 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Boards that misbehave, and the agent's reactions. */
 class FaultyBoardsSpec : FunSpec({
-    /** Expects that the agent still reasons: it reaches a goal that needs no board, at once. */
     fun TestAgent.shouldReason(goal: String) = hears("user", "achieve", "reach($goal)").shouldBelieve("reached($goal)", within = 0.seconds)
 
     test("a board that never answers is in timeout, gets its commands all the same, and does not hold its agent up") {

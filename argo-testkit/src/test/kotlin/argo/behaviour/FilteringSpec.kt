@@ -73,7 +73,7 @@ class FilteringSpec : FunSpec({
             hall.shows("dist(f,1)", "dist(b,2)", "light(f,3)")
             bob.after(10.milliseconds).beliefs shouldBe listOf("dist(b,2)", "dist(f,1)", "light(f,3)")
             bob.hears("user", "achieve", "look(onlyFront)").shouldBelieve("not light(_,_)").beliefs shouldBe listOf("dist(f,1)")
-            bob.hears("user", "achieve", "look(none)") // the environment has not changed, so it reports nothing new
+            bob.hears("user", "achieve", "look(none)") // the environment is unchanged and reports nothing new
             bob.shouldBelieve("light(f,3)").beliefs shouldBe listOf("dist(b,2)", "dist(f,1)", "light(f,3)")
             hall.shows("dist(f,9)")
             bob.after(10.milliseconds).beliefs shouldBe listOf("dist(f,9)")

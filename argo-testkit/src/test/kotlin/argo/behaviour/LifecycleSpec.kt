@@ -10,7 +10,7 @@ import jason.architecture.AgArch
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The start and the end of agents. Whenever a test closes its agents, it checks that no thread is left. */
+/** When a test closes its agents, it checks that no thread is left. */
 class LifecycleSpec : FunSpec({
     test("an agent that is killed while a command waits leaves nothing") {
         agentOf("!start.\n+!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(front).") { board.hangs() }.use { bob ->

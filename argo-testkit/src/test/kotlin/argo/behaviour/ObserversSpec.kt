@@ -15,7 +15,6 @@ class ObserversSpec : FunSpec({
     val project = Project(tempdir().toPath())
     project.filter("front", """<filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter>""")
 
-    /** Starts Bob, who looks, with [options] for his observers. */
     fun bob(vararg options: Pair<String, String>) = project.agent("""
         !start.
         +!start <- argo.port(ttyACM0); argo.limit(5); argo.change_filter(front); argo.percepts(open); argo.act(hello).

@@ -26,7 +26,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** An agent with `argo_resume` goes on from the state that its last run has left in a file. */
+/** An agent with `argo_resume` continues from the state that its last run saved. */
 class ResumingSpec : FunSpec({
     var files = 0
     val root = tempdir().toPath()
@@ -39,7 +39,7 @@ class ResumingSpec : FunSpec({
         setUp()
     }
 
-    /** Runs an agent to its end, so that its state is kept. */
+    /** Runs an agent to its end, which saves its state. */
     fun kept(state: Path, program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit) {
         robot(state, program, setUp).use { it.apply(drive).stops() }
         state.exists() shouldBe true

@@ -9,7 +9,6 @@ import io.kotest.matchers.shouldBe
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Links that come back, seen by an agent. */
 class ReturningSpec : FunSpec({
     test("commands that wait when the cable is pulled fail, and those given while it is out") {
         agentOf("""

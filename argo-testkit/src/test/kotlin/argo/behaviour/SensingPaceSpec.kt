@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The time at which a change of the agent's wish to sense takes effect. */
+/** Checks when a change of the wish to sense takes effect. */
 class SensingPaceSpec : FunSpec({
     val program = """
         !start.
@@ -24,7 +24,7 @@ class SensingPaceSpec : FunSpec({
         return board.requests.size - before
     }
 
-    // at any moment between two looks at the line
+    // the change comes at different times between two checks of the line
     listOf(0, 13, 37, 61, 89).forEach { offset ->
         test("a shorter interval takes effect at once, $offset ms into the watch") {
             agentOf(program).use { robot ->

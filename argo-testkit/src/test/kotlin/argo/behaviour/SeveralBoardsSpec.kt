@@ -19,7 +19,6 @@ import java.util.logging.Logger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** One agent that perceives several boards at once. */
 class SeveralBoardsSpec : FunSpec({
     val project = Project(tempdir().toPath())
     val leftAndRight = """
@@ -28,7 +27,6 @@ class SeveralBoardsSpec : FunSpec({
             argo.limit(20); argo.percepts(open).
     """
 
-    /** Returns the percepts of a board that the agent believes. */
     fun TestAgent.left() = board("ttyACM0")
     fun TestAgent.right() = board("ttyACM1")
 
@@ -525,7 +523,7 @@ class SeveralBoardsSpec : FunSpec({
     }
 })
 
-/** Has the messages of one board filtered for a millisecond, and counts the cycles that perceive one board without the other. */
+/** Makes the filter of one board take a millisecond. Counts the cycles that perceive only one board. */
 internal class SlowFilter(private val port: String) : AgentObserver {
     private var perceived = 0
 
@@ -548,12 +546,10 @@ internal class SlowFilter(private val port: String) : AgentObserver {
     companion object {
         const val OPTION = "argo_slow_filter"
 
-        /** The number of cycles so far in which one board was perceived without the other. */
         val perceivedAlone = AtomicInteger()
     }
 }
 
-/** Opens a [SlowFilter]. */
 internal class SlowFilterProvider : AgentObserverProvider {
     override val option = SlowFilter.OPTION
     override val usage = "a port"

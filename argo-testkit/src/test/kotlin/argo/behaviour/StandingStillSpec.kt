@@ -19,7 +19,7 @@ import kotlin.time.Duration.Companion.seconds
 class StandingStillSpec : FunSpec({
     val project = Project(tempdir().toPath())
 
-    /** Bob's drive, with what a debugger does each time that he is paused; returns the commands with their times, and these times. */
+    /** Runs Bob's drive. [debugger] acts at each pause. Returns the commands with their times, and the times of the pauses. */
     fun drive(lines: List<Int>, debugger: (PauseState, StopAt?) -> StopAt?): Pair<List<Arrival>, List<Duration>> {
         val stood = ArrayList<Duration>()
         val bob = project.agent(DRIVING) { options("argo_diary" to "pauses") }

@@ -28,7 +28,7 @@ class Version2Spec : FunSpec({
             +!do(W) <- argo.act(W); .print(done(W)).
             -!do(W)[error(E)] <- .print(failed(W,E)).
         """) { board.version2().knows("ledOn", "speed/1") }.use { bob ->
-            bob.hears("user", "achieve", "do(ledOn)").shouldPrint("done(ledOn)").after(1.seconds) // by then the board has described itself
+            bob.hears("user", "achieve", "do(ledOn)").shouldPrint("done(ledOn)").after(1.seconds) // the board has described itself by then
             for (command in listOf("fly", "speed")) {
                 bob.hears("user", "achieve", "do($command)").shouldPrint("failed($command,act_refused)")
             }

@@ -8,9 +8,7 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit
 
-/**
- * An internal action that keeps the reasoning cycle busy for the time in its argument, in ms of virtual time: `argo.behaviour.busy(500)`.
- */
+/** Keeps the reasoning cycle busy for its argument, in ms of virtual time: `argo.behaviour.busy(500)`. */
 @Suppress("ClassName")
 class busy : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {

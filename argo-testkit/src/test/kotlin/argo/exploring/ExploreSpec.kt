@@ -41,7 +41,7 @@ class ExploreSpec : FunSpec({
         shouldKeepRules("${ages.write(folder, isMended = true)}", *found.events.toTypedArray()) { ages.describe(this) }
     }
 
-    /** Writes a robot that believes that it has stopped before it has, unless it is mended. */
+    /** Writes a robot that adds the belief stopped too early. With [isMended], it does not. */
     fun stopping(isMended: Boolean) = program(
         """
         !start.
@@ -89,7 +89,7 @@ class ExploreSpec : FunSpec({
             board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
             runs = 5
         }
-        passed.runs shouldBe 7 // and two without events
+        passed.runs shouldBe 7 // five random runs and two without events
     }
 
     test("a board whose port no agent opens is refused, since nothing can happen to it") {
@@ -150,7 +150,7 @@ class ExploreSpec : FunSpec({
             )
         }
         val found = outcome.shouldBeInstanceOf<Found>()
-        found.events shouldBe emptyList() // the sensor begins with the last value of its range
+        found.events shouldBe emptyList() // the sensor starts with the last value of its range
         specOf(found) shouldContain "boards() // the function that describes"
     }
 
@@ -170,7 +170,8 @@ class ExploreSpec : FunSpec({
             board("ttyACM1")
         }.of("body").filterIsInstance<Issued>().map { it.command }
         sent() shouldBe listOf("lamp", "off")
-        sent(MessagesLate(500.milliseconds, "body", 3.seconds, 1.seconds)) shouldBe listOf("lamp") // though it is light
+        // the late message hides that it is light
+        sent(MessagesLate(500.milliseconds, "body", 3.seconds, 1.seconds)) shouldBe listOf("lamp")
     }
 
     test("beliefs of a system may hold strings") {

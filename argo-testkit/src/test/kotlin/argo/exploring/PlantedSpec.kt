@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeInstanceOf
 import planted.PLANTED
 
-/** Some of the planted faults, found again; `./argo bench explore` looks for all of them. */
+/** Finds some of the planted faults. `./argo bench explore` looks for all of them. */
 @Tags("Thorough")
 class PlantedSpec : FunSpec({
     val folder = tempdir().toPath()

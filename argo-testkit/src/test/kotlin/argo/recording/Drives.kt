@@ -16,17 +16,15 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
-/** The directory of the recordings of all specs, until the tests have ended. */
+/** The directory for all recordings, deleted after the tests. */
 private val DIRECTORY: Path by lazy {
     createTempDirectory("argo-recording-spec").also { made ->
         Runtime.getRuntime().addShutdownHook(Thread { made.toFile().deleteRecursively() })
     }
 }
 
-/** Returns a file for a recording, in a directory of its own. */
 internal fun recordingFile(): Path = createTempDirectory(DIRECTORY, "drive").resolve("drive.mcap")
 
-/** Records an agent with [program] while [drive] runs, and returns the file. */
 internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit): Path {
     val file = recordingFile()
     agentOf(program) {
@@ -36,7 +34,6 @@ internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive:
     return file
 }
 
-/** Records agents with these programs, by their names, while [drive] runs, and returns the file. */
 internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() -> Unit): Path {
     val file = recordingFile()
     mas {
@@ -45,7 +42,7 @@ internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() 
     return file
 }
 
-/** Fails unless all of [file] is replayed without a difference; [isChecking] is that of [replayOf]. */
+/** Fails if the replay of [file] differs from the recording. [isChecking] is as in [replayOf]. */
 internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
     val outcome = replayOf(file, isChecking)
     withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
@@ -53,10 +50,10 @@ internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
     outcome.cycles shouldBeGreaterThan 0L
 }
 
-/** The outcome of a replay: the numbers of cycles that were run and recorded, the differences, and the refused cycles. */
+/** The outcome of a replay: the numbers of replayed and recorded cycles, the differences, and the refused cycles. */
 internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>, val refusals: List<RefusedCycle>)
 
-/** Replays the recording [file] as a whole; [isChecking] carries the code of these tests out again. */
+/** Replays the whole recording [file]. With [isChecking], runs the test's own code again. */
 internal fun replayOf(file: Path, isChecking: Boolean = false): Outcome = Recording(file).use { recording ->
     Replay(recording, isChecking).use { replay ->
         replay.run()

@@ -31,7 +31,7 @@ import java.util.logging.Logger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** A replay gives an agent every input that it had, at the same time. */
+/** A replay gives an agent all its recorded inputs at the recorded times. */
 class ExactReplaySpec : FunSpec({
     fun percept(functor: String, vararg terms: Term): Literal = LiteralImpl(functor).addTerms(*terms)
 
@@ -104,7 +104,7 @@ class ExactReplaySpec : FunSpec({
         val file = recordedBy { ts -> ts.settings.isSync = true }
         Recording(file).use { it.cycles("agent").mapNotNull { cycle -> cycle.course.event }.toList() }.first { "hello" in it } shouldContain
             "kqml_received"
-        shouldReplay(file, isChecking = true) // its architecture belongs to the project
+        shouldReplay(file, isChecking = true) // the agent's architecture is code of the project
     }
 
     test("beliefs and goals whose values are drawn when Jason reads the program") {
@@ -266,7 +266,7 @@ class ExactReplaySpec : FunSpec({
     }
 })
 
-/** Records an agent to which its infrastructure does [live]; the infrastructure of a replay does not. */
+/** Records an agent with the infrastructure calls in [live]. The replay has no such calls. */
 private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try {
     ControlledArch.live = live
     recorded("+hello(N) <- .print(N).", { arch = ::ControlledArch }) {
@@ -277,7 +277,6 @@ private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try
     ControlledArch.live = {}
 }
 
-/** Returns the result of [work], and the lines logged about agents meanwhile. */
 internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     val texts = CopyOnWriteArrayList<String>()
     val handler = object : Handler() {
@@ -297,7 +296,7 @@ internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     }
 }
 
-/** An architecture to which the infrastructure does [live] before the agent runs. */
+/** An architecture that calls [live] before the agent runs. */
 class ControlledArch(platform: Platform) : Arch(platform) {
     override fun init() {
         live(ts)
@@ -305,7 +304,7 @@ class ControlledArch(platform: Platform) : Arch(platform) {
     }
 
     companion object {
-        /** The infrastructure's work; none in a replay. */
+        /** The calls of the infrastructure; none in a replay. */
         var live: (jason.asSemantics.TransitionSystem) -> Unit = {}
     }
 }

@@ -10,11 +10,9 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import jason.asSyntax.Plan
 import kotlin.time.Duration.Companion.milliseconds
 
-/** The agent as its observers see it. */
 internal val TestAgent.observed: ObservedAgent
     get() = generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().first().observed
 
-/** Gives the agent [order], and returns the outcome when the agent has told it. */
 internal fun TestAgent.ordered(order: Order): Outcome {
     var outcome: Outcome? = null
     mas.open {
@@ -25,8 +23,6 @@ internal fun TestAgent.ordered(order: Order): Outcome {
     return outcome.shouldNotBeNull()
 }
 
-/** The plans that agents have. */
 internal object Programs {
-    /** Returns the plans of [agent], without Jason's own for messages. */
     fun plansOf(agent: TestAgent): List<Plan> = Plans.of(agent.ts.ag).all.filter { it.sourceFile != "kqmlPlans.asl" }
 }

@@ -35,7 +35,6 @@ import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** Replays the recording that is its argument, after it has printed a line. */
 object EndlessReplay {
     @JvmStatic
     fun main(arguments: Array<String>) = Recording(Path.of(arguments.single())).use { recording ->
@@ -47,7 +46,7 @@ object EndlessReplay {
     }
 }
 
-/** The recording of a stranger, when it is replayed, writes no file, reads none of the folder, calls no address and starts nothing. */
+/** Replaying an untrusted recording writes no file, reads none of the folder, opens no connection and starts no process. */
 class HostileRecordingSpec : FunSpec({
     val folder = tempdir().toPath().toRealPath()
     val notes = folder.resolve("notes.asl").apply { writeText("mine") }
@@ -60,7 +59,7 @@ class HostileRecordingSpec : FunSpec({
         }
     }
 
-    /** Returns the files that the Java machine has written and read during [work], and the processes that it has started. */
+    /** Returns the files that this Java process reads and writes in [work], and the processes that it starts. */
     fun watched(work: () -> Unit): List<String> {
         val file = createTempFile("watch", ".jfr")
         val kinds = listOf("jdk.FileWrite", "jdk.FileRead", "jdk.ProcessStart", "jdk.SocketRead", "jdk.SocketWrite")
@@ -86,10 +85,9 @@ class HostileRecordingSpec : FunSpec({
         refused.message
     }
 
-    /** Replays [file], and returns the messages about it. */
     fun shouldDoNothing(file: Path): String {
         var said: String? = null
-        MindInspectorWeb.stop() // another spec's agents may have started it
+        MindInspectorWeb.stop() // agents of another spec may have started it
         val done = watched { said = replayed(file) }
         val temporary = Path.of(System.getProperty("java.io.tmpdir")).resolve("argo-replay").toString()
         val (own, other) = done.filter { "jdk.FileRead" !in it }.partition { temporary in it }
@@ -97,7 +95,7 @@ class HostileRecordingSpec : FunSpec({
             other.shouldBeEmpty()
             done.filter { "$folder" in it }.shouldBeEmpty()
             own.map { temporary + it.substringAfter(temporary).substringBefore('/') }.distinct().filter { Path.of(it).exists() }
-                .shouldBeEmpty() // the folder with the recorded programs
+                .shouldBeEmpty() // only the folder with the recorded programs
         }
         notes.readText() shouldBe "mine"
         folder.toFile().list().orEmpty().toList() shouldBe listOf("notes.asl")
@@ -219,7 +217,6 @@ class HostileRecordingSpec : FunSpec({
         return """{"index":9,"number":9,"ns":9,"parts":PARTS,"mind":"${Base64.getEncoder().encodeToString(bytes.toByteArray())}"}"""
     }
 
-    /** Returns the messages about a recording that begins with [keyFrame]. */
     fun saidOf(keyFrame: String): String {
         val cycles = listOf("""{"index":10,"number":10,"ns":10}""")
         fun file(parts: String) = made("", keyFrame = keyFrame.replace("PARTS", parts), cycles = cycles)
@@ -232,7 +229,7 @@ class HostileRecordingSpec : FunSpec({
     test("key frames with objects of other classes") {
         saidOf(objectOf(java.io.File("x"))) shouldContain "cannot be read"
         saidOf(objectOf(arrayListOf(planted.Bomb()))) shouldContain "cannot be read"
-        planted.Bomb.explosions shouldBe 1 // the one that was made here
+        planted.Bomb.explosions shouldBe 1 // only the object that this test made
         planted.Bomb.explosions = 0
     }
 
@@ -240,7 +237,7 @@ class HostileRecordingSpec : FunSpec({
         saidOf(keyFrame { it.write(ByteArray(200_000_000)) }) shouldContain "holds more than"
         val list = ByteArrayOutputStream()
         ObjectOutputStream(list).use { it.writeObject(ArrayList<Any>(0)) }
-        // the number of its objects, in two places
+        // raises the number of objects, which the bytes contain twice
         val claims = list.toByteArray().also { bytes -> listOf(bytes.size - 11, bytes.size - 5).forEach { bytes[it] = 0x7F } }
         saidOf(keyFrame { it.write(claims) }) shouldContain "cannot be read"
         val deep = (1..20_000).fold(ArrayList<Any>()) { inner, _ -> arrayListOf(inner) }

@@ -23,9 +23,8 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 
-/** A recording holds each file that its agent has included, and a replay reads none of the folder that it runs in. */
+/** A recording contains all files that its agent included. A replay reads no file of its working directory. */
 class IncludedFilesSpec : FunSpec({
-    /** Records an agent with [program] beside [files], and replays it where these are others, and where they have gone. */
     fun shouldReplay(
         vararg files: Pair<String, String>,
         options: List<Pair<String, String>> = emptyList(),
@@ -81,7 +80,7 @@ class IncludedFilesSpec : FunSpec({
     }
 
     test("as it runs, without Jason's server that shows agents") {
-        MindInspectorWeb.stop() // another spec's agents may have started it
+        MindInspectorWeb.stop() // agents of another spec may have started it
         shouldReplay("more.asl" to "more(1). { begin namespace(n) } less(1). { end }") {
             """!work. +!work <- .include("$it/more.asl"); .wait(20); +after."""
         }

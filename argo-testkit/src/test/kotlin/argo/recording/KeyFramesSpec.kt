@@ -24,9 +24,9 @@ import java.time.Duration
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 
-/** A recording that has lost its beginning, as a ring of the last minutes has, is replayed from a key frame on. */
+/** A recording without its beginning is replayed from a key frame on. Recordings of the last minutes have no beginning. */
 class KeyFramesSpec : FunSpec({
-    /** Records the last three seconds of a drive of [program] that lasts twelve. */
+    /** Records twelve seconds of [program], and keeps the last three. */
     fun ring(program: String, kept: (String, String) -> String? = { _, text -> text }): Path = ringOf(
         recorded(program) {
             repeat(24) {
@@ -37,7 +37,6 @@ class KeyFramesSpec : FunSpec({
         Duration.ofSeconds(3), kept,
     )
 
-    /** Returns the agent's beliefs at the end of a replay of [file], which must not differ from the recording. */
     fun beliefsAfter(file: Path, agent: String = "agent"): List<String> = Recording(file).use { recording ->
         Replay(recording).use { replay ->
             replay.run()
@@ -179,7 +178,7 @@ class KeyFramesSpec : FunSpec({
             """.trimIndent(),
         )
         SeededDrives("$folder/talk.mas2j", listOf("left", "right")) { board("sim:none") { sensor("idle(%d)", 0..1) } }.record(1, file)
-        val ring = ringOf(file, Duration.ofSeconds(6)) // a key frame comes every five
+        val ring = ringOf(file, Duration.ofSeconds(6)) // a key frame is written every five seconds
         Recording(ring).use { recording ->
             val starts = recording.agents.keys.associateWith { agent ->
                 withClue(recording.keyFrames(agent).map { "${it.ns}: ${it.missing}" }.toList()) { recording.start(agent).shouldNotBeNull() }

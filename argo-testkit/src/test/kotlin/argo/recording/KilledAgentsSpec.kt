@@ -16,13 +16,13 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Agents that are killed at random instants go on from their state: it is five seconds old at most, the board carries no command out
- * twice, each of them starts, and its recording is replayed as it was. The property `argo.kills` is the number of kills of the long test.
+ * Agents that are killed at random times continue from their saved state. The state is at most five seconds old. The board carries out no
+ * command twice, and each recording is replayed exactly. The property `argo.kills` sets the number of kills in the long test.
  */
 class KilledAgentsSpec : FunSpec({
     val folder = tempdir().toPath()
 
-    /** Moves on where its board says that it is, and counts the tenths of seconds of its life. */
+    /** Moves on from the place that its board reports, and counts tenths of seconds. */
     val program = """
         tick(0).
         !start. !count.
@@ -41,7 +41,7 @@ class KilledAgentsSpec : FunSpec({
         var lastTick = 0
     }
 
-    /** The agent lives until it is killed: what happens to it and to its file afterwards, as when it is closed, does not count. */
+    /** Runs the agent until it is killed. Later changes of its files, for example at its end, do not count. */
     fun World.live() {
         val own = folder.resolve("$seed-${++lives}.state")
         state?.takeIf { it.exists() }?.copyTo(own)
@@ -79,5 +79,5 @@ class KilledAgentsSpec : FunSpec({
     test("many kills").config(tags = setOf(NamedTag("Thorough"))) { shouldGoOn(5L..Integer.getInteger("argo.kills", 60) / LIVES) }
 })
 
-/** The lives of an agent: each but the first goes on from the one before. */
+/** The number of runs of an agent. Each run continues the one before. */
 private const val LIVES = 5

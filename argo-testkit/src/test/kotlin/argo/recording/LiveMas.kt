@@ -13,16 +13,18 @@ import java.util.logging.Logger
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** The longest wait of a real-time test for events that take milliseconds on an idle machine. */
+/** The longest wait of a real-time test. An idle machine needs only milliseconds. */
 internal val LIMIT = 60.seconds
 
-/** Jason's Local infrastructure in this process, in real time, for agents that are recorded to [file]. One at a time. */
+/**
+ * Runs Jason's Local infrastructure in this process and in real time, with agents that are recorded to [file]. Only one instance at a time.
+ */
 internal class LiveMas(private val file: Path) : AutoCloseable {
     private val directory = file.parent
     private val mas = RunLocalMAS()
     private val log = Logger.getLogger("")
     private val level = log.level
-    private val handlers = log.handlers // Jason takes them away
+    private val handlers = log.handlers // Jason removes them
     private val agents = ArrayList<String>()
 
     init {
@@ -32,7 +34,6 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         mas.start()
     }
 
-    /** Starts an agent with [program], which Jason reads at the [address] of its file. */
     fun agent(name: String, program: String, address: (Path) -> String = Path::toString) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val settings = Settings().apply { addOption("argo_record", "$file") }
@@ -41,16 +42,14 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         services.startAgent(services.createAgent(name, address(source), null, listOf("argo.Arch"), null, settings, null))
     }
 
-    /** Returns agent [name] as its observers see it. */
     fun observed(name: String): ObservedAgent = (mas.getAg(name).firstAgArch as Arch).observed
 
-    /** Returns when agent [name] believes [belief]. */
     suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) {
         val beliefs = mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toList()
         (if (belief in beliefs) belief else beliefs.toString()) shouldBe belief
     }
 
-    /** Removes the handlers of the agent's logger, as Java does with those of all loggers at its end. */
+    /** Removes the handlers of the agent's logger, as Java does for all loggers at its end. */
     fun loseHandlers(name: String) = mas.getAg(name).ts.logger.run {
         for (handler in handlers) {
             removeHandler(handler)
@@ -58,15 +57,14 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns when the thread of agent [name] has ended. */
     suspend fun awaitDeath(name: String) = eventually(LIMIT) { Thread.getAllStackTraces().keys.count { it.name == name } shouldBe 0 }
 
     override fun close() {
-        mas.finish(0, false, 0) // on a thread of its own
+        mas.finish(0, false, 0) // in a thread of its own
         try {
             runBlocking {
                 eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() }
-                agents.forEach { awaitDeath(it) } // an agent that is stopped in the middle of a cycle leaves its recording after it
+                agents.forEach { awaitDeath(it) } // an agent that is stopped within a cycle closes its recording after that cycle
             }
         } finally {
             log.level = level

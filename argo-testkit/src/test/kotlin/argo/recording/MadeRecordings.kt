@@ -6,12 +6,12 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
 
-/** Makes a recording by hand, with any [values] of the agent, [files] inside, [cycles] and a key frame. */
 internal fun made(
     program: String,
     values: Map<String, String> = emptyMap(),
     files: Map<String, String> = emptyMap(),
-    cycles: List<String> = (1..12).map { """{"index":$it,"number":$it,"ns":$it,"isEnding":true}""" }, // ending cycles may differ
+    // a cycle with isEnding may differ in a replay
+    cycles: List<String> = (1..12).map { """{"index":$it,"number":$it,"ns":$it,"isEnding":true}""" },
     keyFrame: String? = null,
 ): Path {
     val file = recordingFile()

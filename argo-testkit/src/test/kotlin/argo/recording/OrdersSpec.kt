@@ -17,7 +17,6 @@ import jason.asSyntax.Literal
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** An agent whose revision of beliefs goes astray. */
 class StumblingAgent : Agent() {
     override fun brf(beliefToAdd: Literal?, beliefToDel: Literal?, i: Intention?): Array<MutableList<Literal>>? {
         if (beliefToAdd?.functor == "stumbles") throw StackOverflowError()
@@ -25,7 +24,7 @@ class StumblingAgent : Agent() {
     }
 }
 
-/** The agent carries out a person's orders between two reasoning cycles, and a replay carries out the recorded ones. */
+/** An agent carries out a user's orders between two reasoning cycles. A replay carries out the recorded orders. */
 class OrdersSpec : FunSpec({
     fun TestAgent.carriesOut(order: Order) = ordered(order).refusal.shouldBeNull()
 

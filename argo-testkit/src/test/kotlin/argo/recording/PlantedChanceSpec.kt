@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.time.Duration.Companion.milliseconds
 
-/** A replay finds and names the parts of a program that give another result each time. */
+/** A replay finds and names program parts with random results. */
 class PlantedChanceSpec : FunSpec({
     fun differences(program: String, setUp: AgentSetUp.() -> Unit = {}) =
         replayOf(recorded(program, setUp) { after(300.milliseconds) }, isChecking = true).differences

@@ -25,9 +25,9 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.readText
 import kotlin.random.Random
 
-/** Agents that Jason's Local infrastructure runs in real time, with its threads and clocks, are replayed as they were. */
+/** Agents on Jason's Local infrastructure in real time are replayed exactly. */
 class RealTimeReplaySpec : FunSpec({
-    /** Drives at a wall: each request finds it nearer by 5 cm until it stops. */
+    /** Drives at a wall. Each request shows it 5 cm nearer, until the robot stops. */
     class Robot : Sketch {
         private val front = AtomicInteger(200)
 
@@ -67,7 +67,7 @@ class RealTimeReplaySpec : FunSpec({
         withRobot("live-robot") { port ->
             LiveMas(file).use { mas ->
                 mas.agent("driver", driver(port))
-                runBlocking { mas.awaitBelief("driver", "standing") } // the last, so that the command is on the line
+                runBlocking { mas.awaitBelief("driver", "standing") } // the last belief, so the command is already on the line
             }
         }
         Recording(file).use { it.cycles("driver").toList() }.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }
@@ -212,7 +212,7 @@ class RealTimeReplaySpec : FunSpec({
 
     test("an agent whose thread an error ends in the middle of a cycle: the recording has what entered that cycle, and the log tells") {
         val file = recordingFile()
-        val mas = LiveMas(file) // which takes the handlers of all loggers away
+        val mas = LiveMas(file) // removes the handlers of all loggers
         val log = logged {
             mas.use {
                 mas.agent("robot", "loop :- loop. !start. +!start <- +begun; !go. +!go : loop <- .print(never).")
@@ -243,7 +243,7 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
-    /** A robot with random percepts and pauses, whose cable is unplugged at random times. */
+    /** A robot with random percepts and delays. The robot's cable is unplugged at random times. */
     class FaultyRobot(seed: Long) : Sketch {
         private val chance = Random(seed)
 

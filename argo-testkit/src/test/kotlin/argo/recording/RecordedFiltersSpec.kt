@@ -12,7 +12,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 
-/** A recording holds the filters of its agent, with the cycles in which they changed. */
+/** A recording contains the agent's filters and the cycles in which they changed. */
 class RecordedFiltersSpec : FunSpec({
     fun filter(predicate: String) = "<PerceptionFilter><filter><predicate>$predicate</predicate></filter></PerceptionFilter>"
 

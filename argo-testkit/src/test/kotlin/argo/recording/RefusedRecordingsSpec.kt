@@ -26,7 +26,6 @@ import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Has another thread add an event to the agent of [ts], and returns a reference that does not keep it. */
 private fun byThread(ts: TransitionSystem): WeakReference<Event> {
     val event = Event(ASSyntax.parseTrigger("+ring(1)"), Intention.EmptyInt)
     thread { ts.c.addEvent(event) }.join()
@@ -34,8 +33,8 @@ private fun byThread(ts: TransitionSystem): WeakReference<Event> {
 }
 
 /**
- * A recording refuses by name every part that a replay could not have: at its beginning, and the agent runs without one, or where it
- * happens, and a replay ends there.
+ * A recording names everything that a replay could not repeat. At the start, the agent then runs without a recording. Later, a replay ends
+ * at that cycle.
  */
 class RefusedRecordingsSpec : FunSpec({
     fun shouldBeRefused(why: String, setUp: AgentSetUp.() -> Unit) {
@@ -83,7 +82,10 @@ class RefusedRecordingsSpec : FunSpec({
         }
     }
 
-    /** Records [steps], which no replay can have because of [why]: those before them are replayed, and the log and the replay name it. */
+    /**
+     * Records [steps] that cannot be replayed, for the reason [why]. The steps before are replayed, and the log and the replay name the
+     * reason.
+     */
     fun shouldBeRefusedThere(steps: String, why: String, ending: String = "a replay without --check ends there") {
         val (file, log) = logged { recorded("!start. +!start <- +before; .wait(50); $steps; .print(done).") { after(1.seconds) } }
         log.single { line -> "ends there" in line } shouldBe "argo_record: $why; $ending"

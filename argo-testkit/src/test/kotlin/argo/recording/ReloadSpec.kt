@@ -23,12 +23,10 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** An agent gets the new text of its program while it runs. */
 class ReloadSpec : FunSpec({
     val folder = tempdir().toPath()
     var files = 0
 
-    /** Runs [drive] with an agent whose program is in a file, and returns the agent's recording. */
     fun driven(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.(file: Path) -> Unit): Path {
         val file = folder.resolve("agent${++files}.asl").apply { writeText(program) }
         val recording = recordingFile()

@@ -20,8 +20,8 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Drawn programs get drawn new texts at drawn instants, while a board is sensed at 50 Hz: no plan is lost or doubled, no intention is lost,
- * and each drive is replayed as it was. The property `argo.reloads` is the number of reloads of the long test.
+ * Random programs get random new texts at random times, while a board is sensed at 50 Hz. No plan is lost or doubled, no intention is lost,
+ * and each drive is replayed exactly. The property `argo.reloads` sets the number of reloads in the long test.
  */
 class ReloadedDrivesSpec : FunSpec({
     val folder = tempdir().toPath()
@@ -48,9 +48,9 @@ class ReloadedDrivesSpec : FunSpec({
     }
 }
 
-/** A drive whose program is drawn from [random], and written to [file]. */
+/** A drive with a random program in [file]. */
 private class ReloadedDrive(private val random: Random, private val file: Path) {
-    /** A plan of the drawn program; the plans of a loop have the same number and never end. */
+    /** A plan of the random program. All plans of one loop have its number, and never end. */
     private inner class Drawn(val loop: Int, var version: Int = 0) {
         val label = if (random.nextInt(3) == 0) "@l${loop}_${random.nextInt(1000)}[note($version)] " else ""
 
@@ -137,7 +137,6 @@ private class ReloadedDrive(private val random: Random, private val file: Path) 
         if ("broken" in text) refusal.shouldNotBeNull() else refusal.shouldBeNull()
     }
 
-    /** The numbers of the agent's intentions. */
     private fun TestAgent.intentions(): Set<Int> = ts.c.run {
         val running = allIntentions.asSequence().filterNot { it.isFinished }
         running.map { it.id }.toSet()
@@ -154,7 +153,7 @@ private class ReloadedDrive(private val random: Random, private val file: Path) 
         return argo.platform.Plans.of(reader).all.map(::shown)
     }
 
-    /** Returns the text of [plan] without what Jason adds to it. */
+    /** Returns the text of [plan] without Jason's additions. */
     private fun shown(plan: Plan): String = "$plan".replace(Regex("""@p__\d+\[[^]]*] |,?(source\(self\)|url\("[^"]*"\))"""), "")
         .replace("[]", "").replace(Regex("""(?<!\w)_\d+\w*"""), "_")
 

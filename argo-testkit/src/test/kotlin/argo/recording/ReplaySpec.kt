@@ -9,7 +9,6 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** A recorded agent acts again as it did when Jason runs it on its recording. */
 class ReplaySpec : FunSpec({
     test("percepts, events, commands and timers") {
         val file = recorded(

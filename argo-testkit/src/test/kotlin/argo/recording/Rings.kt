@@ -6,9 +6,9 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * Returns a file beside the recording [file] with the messages that a ring of the [last] time holds at its end.
+ * Writes a file beside the recording [file] with the messages of the [last] time. Returns the file.
  *
- * @param kept returns the text to keep of a message with this topic and text; null: it is not kept
+ * @param kept returns the text to keep of a message with this topic and text, or null to drop the message
  */
 internal fun ringOf(file: Path, last: Duration, kept: (topic: String, text: String) -> String? = { _, text -> text }): Path {
     val saved = file.resolveSibling("ring-${file.fileName}")

@@ -7,14 +7,13 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * A system of agents whose drives are drawn by seed: sensors that change, messages, and faults of boards, cables and lines.
+ * A system of agents with random drives: sensors change, messages arrive, and boards, cables and lines fail.
  *
- * @property source its file
- * @property agents the names of its agents
- * @property boards its boards, with the percepts of their sensors
+ * @property source the file of the system
+ * @property agents the names of the agents
+ * @property boards the boards, with the percepts of their sensors
  */
 internal class SeededDrives(val source: String, val agents: List<String>, private val boards: Exploration.() -> Unit) {
-    /** Records the drive that is drawn from [seed] to [file]. */
     fun record(seed: Long, file: Path) {
         val drawn = Exploration().apply(::describe)
         runOf(source, EventSource(drawn, agents).events(seed)) {
@@ -43,7 +42,6 @@ internal class SeededDrives(val source: String, val agents: List<String>, privat
             }
         }
 
-        /** The samples, and the agent of the experiment. */
         val ALL: List<SeededDrives> = listOf(
             SeededDrives("../experiment/agent/experiment.mas2j", listOf("robot"), robot),
             SeededDrives("$SAMPLES/collision/collision.mas2j", listOf("robot")) {

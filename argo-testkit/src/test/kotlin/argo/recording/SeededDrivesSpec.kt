@@ -12,16 +12,14 @@ import java.time.Duration
 import kotlin.io.path.deleteIfExists
 
 /**
- * Drives of the samples and of the experiment's agent, with faults, are replayed as they were: the same events, plans, steps, commands and
- * messages; and the same program, run freely on the recorded inputs, sends the same commands. The property `argo.drives` is the number of
- * drives.
+ * Faulty drives of the samples and the experiment's agent are replayed exactly: events, plans, steps, commands and messages. A free run of
+ * a program on the recorded inputs sends equal commands. The property `argo.drives` sets the number of drives.
  */
 class SeededDrivesSpec : FunSpec({
     val folder = tempdir().toPath()
     val drives = Integer.getInteger("argo.drives", 9)
     val systems = SeededDrives.ALL
 
-    /** Returns the first difference of the replay of [file]; null: there is none. */
     fun differenceOf(file: Path): String? = try {
         val outcome = replayOf(file)
         outcome.cycles shouldBeGreaterThan 0L
@@ -31,7 +29,7 @@ class SeededDrivesSpec : FunSpec({
         "$refused"
     }
 
-    /** Returns the first difference of the commands of an agent of [file] that runs freely on the recorded inputs; null: there is none. */
+    /** Returns the first different command of a free run on the recorded inputs, or null if there is none. */
     fun differenceOfCommands(file: Path): String? = Recording(file).use { recording ->
         recording.agents.keys.firstNotNullOfOrNull { agent ->
             WhatIf(recording, agent).use { it.run().difference(Duration.ZERO) }?.let { "agent $agent sends others: $it" }

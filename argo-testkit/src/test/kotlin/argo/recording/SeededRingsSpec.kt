@@ -13,17 +13,17 @@ import java.time.Duration
 import kotlin.io.path.deleteIfExists
 
 /**
- * Drives of the samples and of the experiment's agent, with faults, of which only the last seconds are left, as in a ring, are replayed as
- * they were from a key frame on. The property `argo.rings` is the number of rings.
+ * Faulty drives of the samples and the experiment's agent lose all but their last seconds. The rest of each drive is replayed exactly, from
+ * a key frame on. The property `argo.rings` sets the number of shortened recordings.
  */
 @Tags("Thorough")
 class SeededRingsSpec : FunSpec({
     val folder = tempdir().toPath()
     val drives = Integer.getInteger("argo.rings", 18)
     val systems = SeededDrives.ALL
-    val from = HashMap<String, Int>() // the number of replays by their beginning
+    val from = HashMap<String, Int>() // the number of replays by their start
 
-    /** Returns the beginning of the replay of [ring]: the first cycle, a key frame, or none. */
+    /** Returns the start of the replay of [ring]: the first cycle, a key frame, or none. */
     fun beginningOf(ring: Path): String = Recording(ring).use { recording ->
         val beginnings = recording.agents.keys.map { agent ->
             val isWhole = (recording.cycles(agent).firstOrNull()?.index ?: 1) == 1L

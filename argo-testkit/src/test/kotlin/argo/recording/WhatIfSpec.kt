@@ -19,7 +19,6 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Runs of another program on the recorded inputs. */
 class WhatIfSpec : FunSpec({
     val folder = tempdir().toPath()
     val robot =

@@ -8,7 +8,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 import jason.infra.local.LocalAgArch
 
-/** Stops the agent in the middle of a cycle, as the end of its program does at any moment: its recording is closed before the cycle ends. */
+/** Stops the agent within a cycle, as the end of its program may do. The recording is closed before the cycle ends. */
 @Suppress("ClassName")
 class stopping : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {

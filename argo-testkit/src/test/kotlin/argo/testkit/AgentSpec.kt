@@ -60,7 +60,7 @@ class AgentSpec : FunSpec({
 
     test("a line has the time that its rate gives it") {
         agentOf("!start.\n+!start <- argo.port(ttyACM0, [baud(300), boot(0), protocol(1)]); argo.act(ledOn).").use { robot ->
-            robot.after(300.milliseconds).sent.shouldBeEmpty() // 11 bytes of 10 bits at 300 baud: 367 ms
+            robot.after(300.milliseconds).sent.shouldBeEmpty() // 11 bytes of 10 bits at 300 baud take 367 ms
             robot.after(100.milliseconds).sent shouldBe listOf("ledOn")
         }
     }

@@ -7,7 +7,6 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 class CommandsSpec : FunSpec({
-    /** Starts an agent that sends the commands it is told, and says how they ended. */
     fun worker(port: String, setUp: AgentSetUp.() -> Unit = {}) = agentOf("""
         !start.
         +!start <- argo.port(ttyACM0, [$port]).

@@ -17,7 +17,7 @@ import kotlin.time.Duration.Companion.seconds
 
 class ProjectsArch(platform: Platform) : Arch(platform)
 
-/** A place in which agents step along, as far as 2. */
+/** An environment with a path of two steps. */
 private class Path : Environment() {
     var stopped = 0
 

@@ -30,7 +30,6 @@ class MockKSpec : FunSpec({
     }
 })
 
-/** A typical program with Javino: switches a lamp on when it is dark, and returns the reason of a failure. */
 private fun lamp(javino: Javino): String? {
     if (!javino.requestData("ttyACM0", "getPercepts")) return javino.lastError()
     if (javino.data == "light(3);") javino.sendCommand("ttyACM0", "ledOn")

@@ -14,7 +14,6 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** A recorded drive as a test of the agent as it is now. */
 class ReplayedDriveSpec : FunSpec({
     val program = "!start.\n+!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(forward).\n+dist(Cm) : Cm < 40 <- argo.act(stop)."
 

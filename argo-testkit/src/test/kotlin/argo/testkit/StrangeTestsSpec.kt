@@ -17,9 +17,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.days
 import kotlin.time.Duration.Companion.seconds
 
-/** Tests that misuse the test kit. */
+/** Misuses of the test kit. */
 class StrangeTestsSpec : FunSpec({
-    /** Returns the threads of agents and boards that have not ended within 20 s. */
+    /** Returns the threads of agents and boards that do not end within 60 s. */
     fun threads() = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-") || it.name.startsWith("board") }
         .onEach { it.join(60_000) }.filter { it.isAlive }
 

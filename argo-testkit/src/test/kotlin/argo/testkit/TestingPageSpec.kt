@@ -6,7 +6,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.readText
 
-/** The specs that the page on testing and the tutorial show are run with the others, from `documented/`. */
+/** The specs on the testing page and in the tutorial run with the other specs, in `documented/`. */
 class TestingPageSpec : FunSpec({
     val page = Path.of("../docs/testing.md").readText()
     val tutorial = Path.of("../docs/tutorial.md").readText()

@@ -45,7 +45,9 @@ internal class MessageType private constructor(
     /**
      * Returns the type of the field at [path].
      *
-     * Returns null if the type around the field is not described, or if [path] names a constant. ¶ @throws Unfit if there is no such field
+     * Returns null if the type around the field is not described, or if [path] names a constant.
+     *
+     * @throws Unfit if there is no such field
      */
     fun typeAt(path: Path): FieldType? {
         if (constantIn(path) in constants) return null

@@ -6,7 +6,7 @@ import java.lang.reflect.InvocationTargetException
 import java.lang.reflect.Modifier
 
 /**
- * Describes a board by [text]: its port, followed by the percepts of each sensor, as in `ttyACM0 dist(front,5..200) line(on)|line(off)|`.
+ * Describes a board by [text]: its port, then the percepts of each sensor. Example: `ttyACM0 dist(front,5..200) line(on)|line(off)|`.
  *
  * @throws IllegalArgumentException if [text] describes no board
  */
@@ -44,10 +44,10 @@ private const val MOST_NUMBERS = 100_000
 private val RANGE = Regex("(-?\\d+)\\.\\.(-?\\d+)")
 
 /**
- * Calls the functions of the class [name] that describe an exploration. The functions are static and take an [Exploration]; in Kotlin, a
- * file contains `fun Exploration.boards()`.
+ * Calls the functions of the class [name] that describe an exploration. The functions are static and have a parameter of type
+ * [Exploration]. A Kotlin file has `fun Exploration.boards()`.
  *
- * @throws IllegalArgumentException if there is no such class, or it has no such function
+ * @throws IllegalArgumentException if the class or such a function does not exist
  */
 internal fun Exploration.describedIn(name: String) {
     val type = try {

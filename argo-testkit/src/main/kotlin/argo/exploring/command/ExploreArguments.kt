@@ -6,7 +6,7 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The program's arguments: a file and options.
+ * The arguments of the program: a file and options.
  *
  * @throws IllegalArgumentException if the arguments are wrong
  */
@@ -58,7 +58,7 @@ internal fun Exploration.describedBy(options: ExploreArguments) {
     options.time?.let { time = it }
 }
 
-/** Adds the message in [text]: the agent, the sender, the performative and the content. Only the content may contain blanks. */
+/** Adds the message in [text], which consists of agent, sender, performative and content. Only the content may contain blanks. */
 private fun Exploration.message(text: String) {
     val words = text.trim().split(Regex("\\s+"), limit = MESSAGE_WORDS)
     require(words.size == MESSAGE_WORDS) {

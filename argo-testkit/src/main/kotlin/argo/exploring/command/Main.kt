@@ -12,15 +12,15 @@ import java.nio.file.Path
 import kotlin.io.path.writeText
 import kotlin.system.exitProcess
 
-/** The program behind the tool `explore`: see [explored]. */
+/** The program of the tool `explore`; [explored] does its work. */
 fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList(), System.out, System.err))
 
 /**
- * Explores the agents in the file that the first argument names. The other arguments are options of the tool `explore`, as `--NAME=VALUE`.
+ * Explores the agents in the file of the first argument. The other arguments are options of the tool `explore`, in the form `--NAME=VALUE`.
  *
- * @param err where the reason is printed if nothing is explored
- * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken. A Java
- * virtual machine that cannot start has another status than 4.
+ * @param err takes the reason if nothing is explored
+ * @return the exit status: 0 no rule was broken, 2 wrong arguments, 3 no decision, 4 a rule was broken. A Java virtual machine that cannot
+ * start never gives 4
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {

@@ -23,18 +23,18 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 
-/** A kind of rule, written as [usage]. [make] returns the rule for the given arguments, or null if these are wrong. */
+/** A kind of rule with the syntax [usage]. [make] returns the rule for its arguments, or null if they are wrong. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }
 
-/** A kind of rule with whole numbers as arguments, or without arguments. */
+/** A kind of rule whose arguments, if any, are whole numbers. */
 private fun numbers(usage: String, make: (List<Int>) -> Rule?) = RuleText(usage) { terms ->
     val numbers = terms.mapNotNull { (it as? NumberTerm)?.solve()?.toInt() }
     if (numbers.size == terms.size) make(numbers) else null
 }
 
-/** A kind of rule with a list of commands as its argument, or without arguments. */
+/** A kind of rule whose only argument, if any, is a list of commands. */
 private fun except(usage: String, make: (List<String>) -> Rule) = RuleText(usage) { terms ->
     when (terms.size) {
         0 -> make(emptyList())
@@ -66,7 +66,7 @@ private val RULES: Map<String, RuleText> = listOf(
 ).associateBy { it.usage.substringBefore('(') }
 
 /**
- * Makes the rule in [text], a term of Jason: `stopsWhenBlind(stop,[front])`.
+ * Makes the rule for [text], a Jason term such as `stopsWhenBlind(stop,[front])`.
  *
  * @throws IllegalArgumentException if there is no such rule
  */

@@ -16,7 +16,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The reasons of reflexes: no plan sends them, so no replay shows why. */
+/** The reasons of reflexes. No plan sends a reflex, so a replay does not show its reason. */
 class WhyReflexSpec : FunSpec({
     val near = """<critical reflex="stop"><predicate>dist</predicate><parameter id="1" operator="LT">15</parameter></critical>"""
     val dark = """<critical reflex="lamp"><predicate>light</predicate><parameter id="0" operator="LT">3</parameter></critical>"""
@@ -27,9 +27,6 @@ class WhyReflexSpec : FunSpec({
         +light(_) : not begun <- +begun; argo.act(forward).
     """.trimIndent()
 
-    /**
-     * Records an agent with a filter of these [rules] while [drive] runs, and returns the answer to a question about the recording.
-     */
     fun <T> whyOf(
         program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit, rules: String = near + dark, ask: Why.() -> T,
     ): T {

@@ -10,76 +10,69 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * A sensor of a scenario: a percept with one number, which is another one in some phases.
+ * A sensor of a scenario. The percept has one number, which may change with the phase.
  *
- * @property space the namespace of its board; null: there is one board
+ * @property space the namespace of its board, or null if there is one board
  */
 internal class ScenarioSensor(
     val space: String?, private val functor: String, private val place: String, val values: List<Int>, private val filter: ScenarioFilter,
 ) {
-    /** Returns the percept as the agent believes it. */
     fun percept(value: String) = inSpace(space, "$functor($place,$value)")
 
     val isConstant get() = values.distinct().size == 1
 
-    /** Returns the phase since which it has shown its value in [phase]. */
     fun since(phase: Int): Int = (phase downTo 1).firstOrNull { values[it] != values[it - 1] } ?: 0
 
     fun isNewIn(phase: Int) = phase == 0 || values[phase] != values[phase - 1]
 
-    /** Returns the frame by which its value in [phase] came. */
     fun cause(phase: Int) = since(phase).let { CausingFrame(space, it, isHeld(it)) }
 
-    /** Returns true if the filter holds a new value of [phase] back for a part of it, since that of the phase before has just passed. */
+    /** Returns true if the filter holds back a new value in [phase], since a new value passed in the phase before. */
     fun isHeld(phase: Int): Boolean =
         filter.isRated(phase) && ScenarioFilter.isLong(phase) && isNewIn(phase) && isNewIn(phase - 1)
 
-    /** Returns the value that the agent perceives in [phase]; with [isLate], at its end, when held-back values have passed. */
+    /**
+     * Returns the value that the agent perceives in [phase]. [isLate] is true for the end of the phase, when held-back values have passed.
+     */
     fun perceived(phase: Int, isLate: Boolean): Int = if (isLate || !isHeld(phase)) values[phase] else values[phase - 1]
 }
 
-/** The filter of a scenario. */
 internal enum class ScenarioFilter {
     NONE,
 
-    /** Drops the numbers of frames. */
     QUIET,
 
-    /** Drops them, too, and lets each sensor pass once in [EVERY_MS]. */
+    /** Drops the frame numbers, and lets each sensor pass once in [EVERY_MS]. */
     RATED,
 
-    /** The first one until the second phase begins, then the other. */
+    /** [QUIET] until the second phase, then [RATED]. */
     CHANGED,
     ;
 
-    /** True if phases are short and long in turn. */
+    /** True if short and long phases alternate. */
     val isOfRates get() = this == RATED || this == CHANGED
 
-    /** Returns true if the filter may hold back a new value of [phase]. */
     fun isRated(phase: Int) = this == RATED || this == CHANGED && phase > 1
 
     companion object {
         /** The shortest time between two percepts of a sensor that pass the filter `rated`. */
         const val EVERY_MS = 500
 
-        /** Returns true if [phase] is longer than that; the others are shorter. */
+        /** Returns true if [phase] is longer than [EVERY_MS]. Other phases are shorter. */
         fun isLong(phase: Int) = phase % 2 == 1
     }
 }
 
-/**
- * The first frame of a [phase] from the board in the namespace [space]; or, if its percept was held back, the frame in that phase by which
- * it passed.
- */
+/** The first frame of a [phase] from the board in [space]. If its percept was held back, the frame of that phase with which it passed. */
 internal data class CausingFrame(val space: String?, val phase: Int, val isHeld: Boolean = false)
 
 /**
- * A command that the agent of a scenario sends once.
+ * A command that the agent of a scenario sends at most once.
  *
  * @property text the command
- * @property plans the plans that lead to it
- * @property phase the phase of the frame on which it is sent; null: it is not sent
- * @property root the frame with the percept that began the intention; null: a goal of the program began it
+ * @property plans the plans that lead to the command
+ * @property phase the phase of the frame that causes it, or null if it is not sent
+ * @property root the frame whose percept began the intention, or null if a goal of the program began it
  * @property causes the frames of all percepts on which it depends
  */
 internal class KnownCommand(
@@ -87,8 +80,8 @@ internal class KnownCommand(
 )
 
 /**
- * An agent and a drive of it, both drawn from [seed]. The frames that cause its commands are known. Each frame has the number of its phase,
- * and a number of its own.
+ * A random agent and a random drive, both determined by [seed]. The frames that cause its commands are known. Each frame has a phase number
+ * and a frame number.
  */
 internal class WhyScenario(seed: Int) {
     private val random = Random(seed)
@@ -99,16 +92,14 @@ internal class WhyScenario(seed: Int) {
     private val pausesMs = List(phases) { phase ->
         when {
             !filter.isOfRates -> random.nextInt(700, 1300)
-            ScenarioFilter.isLong(phase) -> random.nextInt(1000, 1400) // held-back percepts have passed long before the next one begins
+            ScenarioFilter.isLong(phase) -> random.nextInt(1000, 1400) // held-back percepts pass long before the next phase
             else -> SHORT_MS
         }
     }
     private val decoy = sensors.last()
 
-    /** The commands that the agent may send. */
     val commands: List<KnownCommand> = List(random.nextInt(1, MOST_COMMANDS + 1)) { known(it) }
 
-    /** The agent. */
     val program: String = buildString {
         appendLine("!start.")
         val ports = if (spaces.size == 1) "argo.port(ttyACM0)" else "argo.ports([port(ttyACM0,[as(left)]),port(ttyACM1,[as(right)])])"
@@ -132,15 +123,15 @@ internal class WhyScenario(seed: Int) {
 
     private fun known(number: Int): KnownCommand {
         val act = "act$number"
-        val first = sensors[number] // of two plans for the same event only one is chosen
+        val first = sensors[number] // each command has its own sensor, since only one plan for an event is chosen
         val limit = random.nextInt(20, 180)
         val other = random.nextInt(20, 180)
-        val isAtOnce = first.values[0] < limit // so that the percepts of another board are there or not yet
+        val isAtOnce = first.values[0] < limit // at the first event, the percepts of another board may be missing
         val second = (sensors - decoy).filter { it.space == first.space || it.isConstant && !isAtOnce }.random(random)
         fun isLow(phase: Int) = first.values[phase] < limit
         fun isHigh(phase: Int) = second.perceived(phase, first.isHeld(phase)) > other
 
-        /** Returns the frame of the second sensor's value that is perceived when an event of the first one comes in [phase]. */
+        /** Returns the frame of the second sensor's value at an event of the first sensor in [phase]. */
         fun aside(phase: Int) = second.cause(if (second.isHeld(phase) && !first.isHeld(phase)) phase - 1 else phase)
         val both = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) && isHigh(it) }
         val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
@@ -182,7 +173,6 @@ internal class WhyScenario(seed: Int) {
         }
     }
 
-    /** Returns the step that sends [command] to the first board. */
     private fun acting(command: String) = "argo.act(${inSpace(spaces.first(), command)})"
 
     private fun polled(number: Int, sensor: ScenarioSensor, limit: Int): KnownCommand {
@@ -195,13 +185,9 @@ internal class WhyScenario(seed: Int) {
         )
     }
 
-    /** Records the drive, and returns the file. */
     fun record(): Path = recorded(program) { drive { _, percept -> percept } }
 
-    /**
-     * Returns the commands that arrive up to [seconds] if [percept] takes the place of percepts of its kind in the phases [from] to
-     * [until].
-     */
+    /** Returns the commands up to [seconds] if [percept] replaces percepts of its kind in the phases [from] to [until]. */
     fun sentWith(percept: String, from: Int, until: Int, seconds: Double): List<String> {
         val kind = percept.substringBeforeLast(',')
         val agent = agentOf(program)
@@ -231,17 +217,14 @@ internal class WhyScenario(seed: Int) {
 
 private const val MOST_COMMANDS = 3
 
-/** The length of a short phase: some frames, and shorter than a sensor is held back. */
+/** The length of a short phase. A short phase has several frames, and is shorter than the hold-back time of a sensor. */
 private const val SHORT_MS = 300
 
-/** The longest time of a command on the line. */
 private val LINE = 40.milliseconds
 
-/** Returns [text], a percept of a board in the namespace [space], as the agent believes it. */
+/** Returns [text], a percept from the namespace [space], as the agent believes it. */
 internal fun inSpace(space: String?, text: String) = if (space == null) text else "$space::$text"
 
-/** The phase of this frame. */
 internal val Frame.phase: Int get() = phaseOf(texts)
 
-/** Returns the phase in which a board has shown [texts]. */
 internal fun phaseOf(texts: List<String>): Int = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()

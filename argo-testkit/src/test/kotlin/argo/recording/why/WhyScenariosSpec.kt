@@ -8,15 +8,14 @@ import io.kotest.matchers.doubles.shouldBeGreaterThanOrEqual
 import java.nio.file.Path
 
 /**
- * In generated scenarios whose cause is known, the answer names the frames that are the cause and no other, and each counterfactual in it
- * holds when the agent is driven so. The property `argo.why.scenarios` is the number of scenarios.
+ * In random scenarios with known causes, an answer names exactly the causing frames. Each of its counterfactuals holds in a new drive. The
+ * property `argo.why.scenarios` sets the number of scenarios.
  */
 class WhyScenariosSpec : FunSpec({
     val count = System.getProperty("argo.why.scenarios")?.toInt() ?: 8
 
     fun <T> asking(file: Path, ask: (Why) -> T): T = Recording(file).use { recording -> Why(recording).use(ask) }
 
-    /** Returns the frames that were perceived. */
     fun framesOf(file: Path) = Recording(file).use { recording ->
         val snapshots = recording.cycles("agent").flatMap { it.input.snapshots }.distinctBy { it.port to it.receivedNs }.toList()
         val firstNs = checkNotNull(recording.firstNs)
@@ -65,29 +64,26 @@ class WhyScenariosSpec : FunSpec({
     }
 })
 
-/** A frame of the board on [port], with the time of its last byte. */
+/** A frame of the board on [port]. [seconds] is the time of its last byte. */
 private class KnownFrame(val port: String, val phase: Int, val number: Int, val seconds: Double)
 
-/** All frames that an agent perceived, in their order. */
 private class KnownFrames(private val all: List<KnownFrame>) {
-    /** Returns the roles that [frame] may have: the first one of its phase, the one by which a held-back percept passes, or both. */
+    /** Returns the roles of [frame]: the first of its phase, the one with which a held-back percept passes, or both. */
     fun cause(frame: Frame): Set<CausingFrame> = setOfNotNull(
         CausingFrame(frame.namespace, frame.phase).takeIf { isFirst(frame) },
         CausingFrame(frame.namespace, frame.phase, isHeld = true).takeIf { isHeldUntil(frame) },
     )
 
-    /** Returns true if [frames] are the [known] ones, all of them and no other. */
     fun are(frames: List<Frame>, known: Set<CausingFrame>): Boolean {
         val causes = frames.map(::cause)
         return causes.all { it.any(known::contains) } && known.all { one -> causes.any { one in it } }
     }
 
-    /** Returns true if [frame] is the first one of its board in its phase. */
     private fun isFirst(frame: Frame) = firstIn(frame.port, frame.phase)?.number == frame.number
 
     /**
-     * Returns true if a percept that has been held back since the first frame of the phase before passes by [frame]: the newest one when
-     * the percept's time is over, or the next one.
+     * Returns true if a percept passes with [frame] that was held back since the first frame of the phase before. The percept passes with
+     * the newest frame at the end of the wait, or with the next frame.
      */
     private fun isHeldUntil(frame: Frame): Boolean {
         if (!ScenarioFilter.isLong(frame.phase)) return false

@@ -18,7 +18,6 @@ import kotlin.time.Duration.Companion.seconds
 
 private val thorough = setOf(NamedTag("Thorough"))
 
-/** The reasons of an agent's actions, as its replay shows them. */
 class WhySpec : FunSpec({
     val driving = """
         !start.
