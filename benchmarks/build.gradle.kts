@@ -2,5 +2,5 @@ plugins { application }
 
 application {
     mainClass = "benchmarks.MainKt"
-    applicationDefaultJvmArgs = listOf("--enable-native-access=ALL-UNNAMED") // since jSerialComm loads a native library
+    applicationDefaultJvmArgs = listOf("--enable-native-access=ALL-UNNAMED") // jSerialComm loads a native library
 }

@@ -1,7 +1,4 @@
-"""The client of "./argo bench ros" that is written with roslibpy: commands the nearest distance of each scan as the speed.
-
-    rosbench.py PORT
-"""
+"""The roslibpy client of "./argo bench ros". Commands the nearest distance of each scan as the speed."""
 
 import sys
 

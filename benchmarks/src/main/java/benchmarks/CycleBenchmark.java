@@ -29,8 +29,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Measures a reasoning cycle of a real Jason agent, from the percepts' text to the end of the cycle. Every value in the perceived frame has
- * changed. The agent has no filter, or one that keeps a single percept.
+ * Measures a reasoning cycle of a Jason agent, from the text of the percepts to the end of the cycle. Each value changes in each frame. The
+ * agent has no filter, or one that keeps a single percept.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -64,7 +64,7 @@ public class CycleBenchmark {
                 return believed;
             }
         };
-        Config.get().put(Config.START_WEB_MI, "false"); // no web server beside the agent
+        Config.get().put(Config.START_WEB_MI, "false"); // starts no web server
         Agent agent = new Agent();
         cycle = new TransitionSystem(agent, new Circumstance(), new Settings(), arch);
         agent.initAg();

@@ -24,7 +24,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Measures the cost of dropping a percept, of reading it, and of both with Jason's own parser. */
+/** Measures dropping a percept, reading a percept, and both with Jason's own parser. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -32,7 +32,6 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 8, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class FilterBenchmark {
-    /** The number of percepts in a message. */
     static final int MESSAGE = 12;
 
     private static final String ON_TEMP = "<filter><predicate>temp</predicate></filter>";
@@ -85,7 +84,6 @@ public class FilterBenchmark {
                 + "</parameter></filter>";
     }
 
-    /** Returns messages of several sensors, whose numbers vary a little and sometimes are far off. */
     private static List<List<String>> messages() {
         Random random = new Random(1);
         return IntStream.range(0, 64)
@@ -131,7 +129,7 @@ public class FilterBenchmark {
         return perceive(until);
     }
 
-    /** The numbers of most sensors are near the two limits, and often cross one. */
+    /** The numbers of most sensors are close to the two limits, and often cross one. */
     @Benchmark
     public int perceiveUntilMet() {
         return perceive(untilMet);

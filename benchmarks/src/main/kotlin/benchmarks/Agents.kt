@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** Runs Jason in this process, with agents whose programs are texts. There can be only one Jason at a time. */
+/** Runs Jason in this process, with agents whose programs are given as text. Only one Jason can run at a time. */
 class Agents : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-bench")
     private val mas = RunLocalMAS()
@@ -25,7 +25,10 @@ class Agents : AutoCloseable {
         mas.start()
     }
 
-    /** Starts the agent [name] with [program], and with [options] as in a `.mas2j`. [arch] is its architecture; null: Jason's own. */
+    /**
+     * Starts the agent [name] with [program], and with [options] like those of a `.mas2j`. [arch] is its architecture, or null for Jason's
+     * own.
+     */
     fun start(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val services = RuntimeServicesFactory.get()
@@ -38,9 +41,8 @@ class Agents : AutoCloseable {
         mas.getAg(name).wake()
     }
 
-    /** Ends Jason. Waits until its agents have ended. */
     override fun close() {
-        mas.finish(0, false, 0) // returns at once: another thread of Jason ends the agents
+        mas.finish(0, false, 0) // returns at once; another thread of Jason ends the agents
         if (!awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }) System.err.println("agents still run after $LIMIT_S s: ${mas.ags.keys}")
         directory.toFile().deleteRecursively()
     }
@@ -50,10 +52,9 @@ class Agents : AutoCloseable {
     }
 }
 
-/** Runs [measure] with a new Jason while the [boards] are plugged in, each as `sim:` and its name. */
+/** Runs [measure] with a new Jason and the simulated [boards], whose ports are `sim:` and the name. */
 internal fun <T> withAgents(boards: Map<String, SimulatedBoard>, measure: (Agents) -> T): T = withBoards(boards) { Agents().use(measure) }
 
-/** Runs [measure] while the [boards] are plugged in, each as `sim:` and its name. */
 internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> T): T {
     boards.forEach(SimulatedBoards::plugIn)
     try {
@@ -64,13 +65,12 @@ internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> 
 }
 
 /**
- * Returns the program of an agent that senses the board at [port] every [intervalMs], with [plans] as its further plans. [options] are
- * further options of the port, each behind a comma.
+ * Returns the program of an agent that senses the board at [port] every [intervalMs]. [plans] are its other plans. [options] are more
+ * options of the port, each behind a comma.
  */
 internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "", options: String = "") =
     "!start.\n+!start <- argo.port(\"$port\", [baud($baud)$options]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 
-/** Waits until [condition] holds, at most [seconds] s. Returns true if [condition] holds. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {
     val end = System.nanoTime() + seconds * 1_000_000_000L
     while (!condition()) {

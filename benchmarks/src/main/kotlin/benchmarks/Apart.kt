@@ -4,7 +4,7 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * Runs this program with [arguments] in a new Java machine, and returns the numbers in its last line.
+ * Runs this program with [arguments] in a new Java process, and returns the numbers in its last line.
  *
  * @throws IllegalStateException if the program fails, or prints no numbers
  */
@@ -18,7 +18,7 @@ internal fun figuresApart(vararg arguments: String, options: List<String> = empt
     return figures.filterNotNull()
 }
 
-/** Starts this program with [arguments] in a new Java machine. Errors of the started program appear among this program's errors. */
+/** Starts this program with [arguments] in a new Java process. The errors of the new process appear among those of this process. */
 internal fun programApart(vararg arguments: String, options: List<String> = emptyList()): Process {
     val java = listOf(File(System.getProperty("java.home"), "bin/java").path, "--enable-native-access=ALL-UNNAMED")
     val program = listOf("-cp", System.getProperty("java.class.path"), "benchmarks.MainKt")

@@ -3,17 +3,16 @@ package benchmarks
 import javino.Protocol
 import java.util.concurrent.atomic.AtomicLong
 
-/** The argument that starts [crowd] as a program. */
 internal const val CROWD = "crowd"
 
 internal const val CROWD_AGENTS = 1000
 
-/** The heap for the Java machine of the [crowd], in MB. */
+/** The heap of the Java process for the [crowd], in MB. */
 internal const val CROWD_HEAP_MB = 400
 
 /**
- * Measures a thousand agents, each with its own board, in one Java machine. Each agent senses twelve percepts at 10 Hz, of which one
- * changes. Returns the answers a second to all agents, and the largest resident memory of the process, in MB.
+ * Measures a thousand agents, each with a board, in one Java process. Each agent senses twelve percepts at 10 Hz. One of them changes.
+ * Returns the answers per second of all agents, and the greatest resident memory of the process in MB.
  */
 internal fun crowd(): List<Double> {
     val answers = AtomicLong()
@@ -36,7 +35,7 @@ private val BESIDES = SensorBoard.robot(0).substringAfter(';')
 
 private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
 
-/** At this rate, the line in memory wakes its reader once for each frame, as a driver does, and not for each byte. */
+/** At this rate, the memory line wakes its reader once per frame, as a driver does. Lower rates wake it for each byte. */
 private const val BAUD = 20_000_000
 private const val WARM_UP_MS = 20_000L
 private const val MEASURED_MS = 10_000L

@@ -14,9 +14,9 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /**
- * Explores 25 agents, each with a planted fault, and then the same agents mended. Returns true if at least 20 faults are found, each within
- * 60 s and with at most five events, and no mended agent breaks a rule. If [only] is given, explores only that agent, whose fault need not
- * be found.
+ * Explores 25 agents with one planted fault each, and then the corrected agents. Returns true on two conditions. At least 20 faults are
+ * found, each within 60 s and with at most five events. No corrected agent breaks a rule. If [only] is given, explores only that agent. The
+ * fault of [only] need not be found.
  */
 internal fun explored(only: String? = null): Boolean {
     println("machine: ${machine()}")

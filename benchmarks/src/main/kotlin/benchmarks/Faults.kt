@@ -7,9 +7,9 @@ private const val EXCHANGES = 1_000_000
 private val RATES = listOf(1e-5, 1e-4, 1e-3)
 
 /**
- * Makes a million exchanges in version 2 at each rate of wrong bits, and prints their outcomes. One half are commands, the other half
- * requests. Time is virtual, so the figures are the same on every machine. Returns true if each command was carried out at most once and in
- * order, and each confirmed command was carried out.
+ * Makes a million version 2 exchanges at each rate of wrong bits, and prints the outcomes. Half of them are commands, and half are
+ * requests. Virtual time makes the figures equal on every machine. Returns true if each command was carried out in order and at most once,
+ * and each confirmed command was carried out.
  */
 internal fun faults(): Boolean {
     println("version 2, 115,200 baud, $EXCHANGES exchanges at each rate: half of them commands, half requests with 500 ms for the answer")

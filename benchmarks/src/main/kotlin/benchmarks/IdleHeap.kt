@@ -6,8 +6,8 @@ import javino.Transports
 import java.lang.ref.Reference
 
 /**
- * Measures the heap of three idle agents, in bytes: with Jason only, with `argo.Arch`, and with `argo.Arch` and an open port. The heap of
- * the simulated line and board does not count.
+ * Measures the heap of three idle agents in bytes: with Jason only, with `argo.Arch`, and with `argo.Arch` and an open port. The heap of
+ * the simulated line and board is not counted.
  */
 internal fun idleHeap(): Map<String, Double> {
     val plain = perAgent("!start.\n+!start.\n", null, line = false)

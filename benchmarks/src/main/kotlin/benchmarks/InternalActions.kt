@@ -9,8 +9,8 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
 /**
- * The internal action `benchmarks.acts(N)` reports that an intention now acts on the board's Nth answer. `benchmarks.acts(N, Agent, What)`
- * also reports the agent's number, and in `What` whether its Nth action is `begun`, `done` or `failed`.
+ * The internal action `benchmarks.acts(N)` reports an intention that acts on the board's Nth answer. `benchmarks.acts(N, Agent, What)` also
+ * reports the agent's number. `What` is `begun`, `done` or `failed`, the state of the agent's Nth action.
  */
 class acts : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -19,7 +19,9 @@ class acts : DefaultInternalAction() {
     }
 
     companion object {
-        /** Gets the answer's number, the time in ns and all arguments, on the agent's thread. The running benchmark sets this function. */
+        /**
+         * Gets the number of the answer, the time in ns and all arguments, on the agent's thread. The running benchmark sets this function.
+         */
         @Volatile
         var heard: (number: Int, nanos: Long, arguments: Array<Term>) -> Unit = { _, _, _ -> }
     }

@@ -1,6 +1,6 @@
 package benchmarks
 
-/** A part of a course: the numbers of its [exchanges], of which there are 50 a second. */
+/** A part of a course, given by the numbers of its [exchanges]. There are 50 exchanges per second. */
 internal enum class Part(val title: String, val exchanges: IntRange) {
     FIRST_SECOND("first second", 0 until 50),
     FIRST_20_SECONDS("first 20 seconds", 0 until 1000),
@@ -11,9 +11,9 @@ private const val ROUNDS = 3
 private val EXCHANGES = Part.entries.maxOf { it.exchanges.last } + 1
 
 /**
- * Measures the latency of commands over a pseudo-terminal, in several rounds. It is the time from the last byte of a frame with twelve
- * percepts to the first byte of the command that the frame causes. The courses take turns, so that other work of the machine affects all of
- * them. Each course runs in a new Java machine.
+ * Measures the latency of commands over a pseudo-terminal in several rounds. The latency is the time from the last byte of a frame with
+ * twelve percepts to the first byte of its command. The courses alternate, so that other load on the machine affects all of them. Each
+ * course runs in a new Java process.
  */
 internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     val rounds = List(ROUNDS) { LatencyCourse.entries.associateWith(::measureApart) }
@@ -22,7 +22,6 @@ internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     }
 }
 
-/** The argument that starts [latencyCourse] as a program. */
 internal const val LATENCY_COURSE = "latency-course"
 
 private fun measureApart(course: LatencyCourse): List<Long> {
@@ -33,7 +32,7 @@ private fun measureApart(course: LatencyCourse): List<Long> {
 
 internal fun latencyCourse(name: String): List<Long> = LatencyCourse.valueOf(name).measure(EXCHANGES).asList()
 
-/** Measures all courses and prints the figures, and the ratio of ARGO's latency to that of the agent on one thread. */
+/** Measures all courses. Prints the figures, and the ratio of ARGO's latency to that of the single-threaded agent. */
 internal fun latency() {
     println("frame to command over a pseudo-terminal, 12 percepts, $ROUNDS rounds, ${machine()}:")
     val measured = measureLatencies()

@@ -10,8 +10,8 @@ import javino.sim.PseudoTerminals
 import kotlin.concurrent.thread
 
 /**
- * A program that answers a board's frames at 50 Hz, in a new Java machine. The percept `ping(N)` among twelve is answered by the command
- * `pong(N)`. The line is a pseudo-terminal, by `socat` and jSerialComm.
+ * A program that answers a board's frames at 50 Hz, in a new Java process. The program answers the percept `ping(N)`, one of twelve, by the
+ * command `pong(N)`. The line is a pseudo-terminal of `socat`, used by jSerialComm.
  */
 internal enum class LatencyCourse(val title: String) {
     ARGO("an agent with ARGO") {
@@ -27,7 +27,7 @@ internal enum class LatencyCourse(val title: String) {
         }
     },
 
-    /** There is no agent: a thread writes the command as soon as it has read the frame. */
+    /** There is no agent. A thread writes the command as soon as it has read the frame. */
     LINE("the line without an agent") {
         override fun run(port: String, measure: () -> LongArray): LongArray = Transports.open(port, LineSettings(BAUD)).use { computer ->
             thread(isDaemon = true, name = "partner") { answerPings(computer) }
@@ -35,10 +35,9 @@ internal enum class LatencyCourse(val title: String) {
         }
     }, ;
 
-    /** Lets the program answer at [port] while [measure] runs, and returns the result of [measure]. */
     protected abstract fun run(port: String, measure: () -> LongArray): LongArray
 
-    /** Returns the latencies, in ns, in their order. */
+    /** Returns the latencies in ns, in order of time. */
     fun measure(exchanges: Int): LongArray = PseudoTerminals.open().use { line ->
         val board = PingBoard(line.board(), exchanges)
         run("${line.computer()}", board::measure)
@@ -62,7 +61,7 @@ internal enum class LatencyCourse(val title: String) {
                 val before = pings
                 computer.write(Frame.of(PerceptsRequest.ALL))
                 while (pings == before) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
-                Thread.sleep(INTERVAL_MS.toLong()) // as agents wait between requests
+                Thread.sleep(INTERVAL_MS.toLong()) // agents also wait between requests
             }
         }
 

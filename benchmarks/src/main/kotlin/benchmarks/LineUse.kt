@@ -4,9 +4,9 @@ import javino.Protocol
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses. The share is the number of requests a second,
- * multiplied by the time that a request and its answer take on the line. The board answers at once, with twelve percepts. The line is in
- * memory, and each byte takes its real time on it. [options] are further options of the port, each behind a comma.
+ * Measures the share of a line's time, from 0 to 1, that an agent with `argo.limit(0)` uses. The share is the number of requests per second
+ * times the line time of a request and its answer. The board answers at once, with twelve percepts. The line is in memory, and each byte
+ * takes its real time. [options] are more options of the port, each behind a comma.
  */
 internal fun lineUse(baud: Int, protocol: Protocol, options: String = ""): Double {
     val bytes = AtomicLong()

@@ -4,14 +4,13 @@ import com.sun.management.OperatingSystemMXBean
 import java.io.File
 import java.lang.management.ManagementFactory
 
-/** Describes this machine in a few words. */
 fun machine(): String =
     "${Runtime.getRuntime().availableProcessors()} processors, Java ${Runtime.version().feature()}, ${System.getProperty("os.name")} " +
         "${System.getProperty("os.arch")}"
 
 /**
- * Returns the resident memory of this process in MB: for `VmRSS` the present one, for `VmHWM` the largest so far. NaN if the memory is not
- * known, as on other systems than Linux.
+ * Returns the resident memory of this process in MB. `VmRSS` is the current memory, and `VmHWM` the greatest up to now. Returns NaN if the
+ * memory is not known. Only Linux tells it.
  */
 internal fun residentMb(figure: String): Double {
     val status = File("/proc/self/status")

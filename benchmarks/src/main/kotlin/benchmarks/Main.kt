@@ -16,8 +16,8 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * The benchmarks, by their names. Each gets a file for its results, which some do not write, and further arguments. Each prints its
- * figures, and returns false if these break their bounds.
+ * The benchmarks, by their names. Each takes a file for its results, which some ignore, and more arguments. Each prints its figures. A
+ * benchmark returns false if its figures break their bounds.
  */
 private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = mapOf(
     "latency" to { _, _ -> latency() },
@@ -36,7 +36,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "fleet" to { _, rows -> fleet(rows) },
 )
 
-/** The programs for [figuresApart] and [programApart], by their names. Each takes arguments, and returns its figures. */
+/** The programs for [figuresApart] and [programApart], by their names. Each takes arguments and returns its figures. */
 private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
     LATENCY_COURSE to { latencyCourse(it.single()) },
     CROWD to { crowd() },
@@ -45,7 +45,7 @@ private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
     MANY_BOARDS to { manyBoards() },
 )
 
-/** Runs the benchmark that the first argument names, and prints its figures. Some benchmarks write all results to a file. */
+/** Runs the benchmark of the first argument, and prints its figures. Some benchmarks also write all results to a file. */
 fun main(args: Array<String>) {
     val name = args.firstOrNull().orEmpty()
     val rest = args.drop(1)
@@ -64,5 +64,5 @@ fun main(args: Array<String>) {
             exitProcess(2)
         }
     }
-    exitProcess(0) // Jason's scheduler would keep the program alive
+    exitProcess(0) // Jason's scheduler would keep the process alive
 }

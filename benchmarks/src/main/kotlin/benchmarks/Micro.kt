@@ -8,7 +8,7 @@ import org.openjdk.jmh.runner.options.OptionsBuilder
 import org.openjdk.jmh.runner.options.VerboseMode
 import java.io.File
 
-/** Runs the JMH benchmarks of filters and prints them as a table. Writes the whole results to [json]. */
+/** Runs the JMH benchmarks of filters, and prints a table. Writes all results to [json]. */
 internal fun filters(json: File) {
     val options = OptionsBuilder().include("FilterBenchmark|CycleBenchmark").addProfiler(GCProfiler::class.java)
         .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()
@@ -31,7 +31,6 @@ private fun name(result: RunResult): String {
 
 private const val MESSAGE = FilterBenchmark.MESSAGE
 
-/** Returns the bytes that one operation allocates. */
 private fun allocated(result: RunResult): Double =
     result.secondaryResults.entries.firstOrNull { it.key.endsWith("gc.alloc.rate.norm") }?.value?.score ?: Double.NaN
 

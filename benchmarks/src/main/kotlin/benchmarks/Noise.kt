@@ -6,14 +6,13 @@ import argo.filters.dropFilter
 import argo.filters.matching.FilterSession
 import java.util.Random
 
-/** A kind of wrong numbers that a range finder shows in place of the true one. */
+/** A kind of wrong numbers from a range finder. */
 internal enum class Stray(val words: String, val cm: (Random) -> Int) {
     LOST("lost echoes, 0 cm", { 0 }),
     ANY("stray echoes, 2 to 400 cm", { 2 + it.nextInt(399) }),
     NEAR("stray echoes below the limit, 0 to 39 cm", { it.nextInt(LIMIT_CM) }),
 }
 
-/** The smoothing rules that [noise] compares. */
 internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
     "median 5" to { smooth("dist") { argument(1) median 5 } },
     "outliers 3 among 5" to { smooth("dist") { argument(1).outliers(3) } },
@@ -22,9 +21,9 @@ internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
 )
 
 /**
- * Simulates an agent whose critical rule stops a robot below 40 cm. A range finder is read 20 times a second, and 5 % of its percepts are
- * outliers. Prints which share of the false stops remains with smoothing while the robot stands at 45 cm. Also prints, for an exact sensor,
- * by how many percepts smoothing delays the stop before a wall that comes nearer, and before a wall that suddenly appears.
+ * Simulates an agent whose critical rule stops a robot below 40 cm. A range finder is read 20 times per second. 5 % of its percepts are
+ * outliers. While the robot stands at 45 cm, prints the share of false stops that smoothing leaves. For an exact sensor, prints the delay
+ * of the stop by smoothing, in percepts. One wall comes nearer, and another appears suddenly.
  */
 internal fun noise() {
     println("stops with outliers in 5 % of the percepts, 45 cm before the sensor with noise of 1 cm, limit 40 cm, simulated:")
@@ -40,7 +39,7 @@ internal fun noise() {
     }
 }
 
-/** Returns the number of false stops during so many [percepts] of a standing robot. */
+/** Returns the number of false stops of a standing robot in so many [percepts]. */
 internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: Int = 1_000_000): Int {
     val random = Random(42)
     val stops = Stops(careful(smoothing))
@@ -49,13 +48,13 @@ internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: 
     }
 }
 
-/** The distances that the sensor shows while the robot drives towards a wall, from several starts. */
+/** The distances that the sensor shows while the robot drives towards a wall, for several starts. */
 internal val DRIVING: List<List<Int>> = (60..69).map { begin -> List(40) { (begin - it * 2.5).toInt() } }
 
-/** The distances that the sensor shows when a wall suddenly appears in front of the robot. */
+/** The distances that the sensor shows when a wall suddenly appears. */
 internal val APPEARING: List<List<Int>> = listOf(List(40) { if (it < 8) 60 else 20 })
 
-/** Returns by how many percepts [smoothing] delays the stop at most, if the sensor shows the distances of one of [courses]. */
+/** Returns the longest delay of the stop by [smoothing], in percepts, for the distances of all [courses]. */
 internal fun delay(smoothing: RuleList.() -> Unit, courses: List<List<Int>>): Int = courses.maxOf { course ->
     fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> course.indexOfFirst(stops::begin) }
     begin(smoothing) - begin {}
@@ -70,13 +69,12 @@ private fun careful(smoothing: RuleList.() -> Unit): PerceptionFilter = dropFilt
     }
 }
 
-/** The reflexes of an agent that perceives through [filter]. */
 private class Stops(filter: PerceptionFilter) {
     private val session = FilterSession.ofTexts().also { it.switchTo(filter) }
     private var nowMs = 0L
     private var isMet = false
 
-    /** Takes a percept with this distance. Returns true if the critical rule matches now and did not match before. */
+    /** Takes a percept with the distance [cm]. Returns true if the critical rule starts to match. */
     fun begin(cm: Int): Boolean {
         val wasMet = isMet
         isMet = session.perceive(listOf("dist(f,$cm)"), nowMs).critical.isNotEmpty()

@@ -9,8 +9,8 @@ import java.io.FileOutputStream
 import java.util.concurrent.TimeUnit
 
 /**
- * A board on a pseudo-terminal, which answers each request with twelve changing percepts. One of them is `ping(N)`. The board measures the
- * time until the first byte of the command `pong(N)` arrives.
+ * A board on a pseudo-terminal. The board answers each request with twelve changing percepts. One of them is `ping(N)`. The board measures
+ * the time until the first byte of the command `pong(N)` arrives.
  *
  * @param exchanges the number of measured commands
  */
@@ -22,7 +22,6 @@ class PingBoard(device: File, private val exchanges: Int) {
     private var sent = 0
     private var answeredAt = 0L
 
-    /** Runs until all commands have come. Returns the latencies of the commands, in ns. */
     fun measure(): LongArray {
         var readAt = 0L
         val decoder = FrameDecoder(TimeUnit.MILLISECONDS.toNanos(100)) { frame -> handle(frame.text(), readAt) }

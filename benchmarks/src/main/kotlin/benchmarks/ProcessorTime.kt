@@ -9,8 +9,8 @@ import java.lang.management.ManagementFactory
 import kotlin.concurrent.thread
 
 /**
- * Measures which share of one processor this program uses, without the threads of its board. An agent senses the board's twelve changing
- * percepts at 50 Hz over a pseudo-terminal. [speaks] is the version of the protocol that the board reads.
+ * Measures the share of one processor that this program uses, without the threads of its board. An agent senses twelve changing percepts at
+ * 50 Hz over a pseudo-terminal. [speaks] is the protocol version of the board.
  */
 internal fun processorShare(speaks: Protocol): Double = PseudoTerminals.open().use { line ->
     val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}", speaks) }

@@ -13,9 +13,9 @@ private const val EXCHANGES_OF_AN_EXAMPLE = 20_000
 private const val SEED = 1L
 
 /**
- * Makes a million exchanges on random lines, boards and intervals, and prints how close each came to its bound. Also prints the longest
- * exchanges of the examples in docs/real-time.md. Time is virtual, so the figures are the same on every machine. Returns true if no
- * exchange exceeded its bound.
+ * Makes a million exchanges on random lines, boards and intervals. Prints how close each came to its bound. Also prints the longest
+ * exchanges for the examples in docs/real-time.md. Virtual time makes the figures equal on every machine. Returns true if no exchange
+ * exceeded its bound.
  */
 internal fun bounds(): Boolean {
     val closest = checkBounds(EXCHANGES, SEED)

@@ -3,7 +3,6 @@ package benchmarks
 import javino.Protocol
 import java.io.File
 
-/** Measures how promptly a robot's agent reacts. Prints a table, and writes it to [json]. */
 internal fun realtime(json: File) {
     println("real time, ${machine()}:")
     val table = Table()
@@ -15,11 +14,10 @@ internal fun realtime(json: File) {
     println("all results: $json")
 }
 
-/** Prints figures, and collects them for a file. */
 private class Table {
     private val rows = mutableListOf<String>()
 
-    /** @param target the figure's target in words; empty: there is none */
+    /** @param target the target in words, or an empty text without one */
     fun show(name: String, value: Double, unit: String, target: String = "") {
         val number = if (value.isFinite()) "$value" else "null"
         rows += "  {\"name\": \"$name\", \"value\": $number, \"unit\": \"$unit\", \"target\": \"$target\"}"

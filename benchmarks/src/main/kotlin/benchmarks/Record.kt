@@ -11,20 +11,18 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.createTempDirectory
 
-/** The argument that starts [paces] as a program. */
 internal const val REPLAY = "replay-recordings"
 
 /**
- * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
- * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. Only the
- * time for a message can be compared, since a recorded agent has other cycles. Also prints the processor time of the thread that writes the
- * recording, for which no cycle waits, the size of the recordings, and the speed of their replay. Returns true if all figures are within
- * their bounds.
+ * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times per second, and answers each time with a command.
+ * Drives with and without a recording alternate. Prints the processor time of the agent's thread per cycle and per message. Only the time
+ * per message can be compared, since a recorded agent has other cycles. Also prints the processor time of the recording thread, the size of
+ * the recordings, and the speed of their replay. No cycle waits for the recording thread. Returns true if all figures keep their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
     val folder = createTempDirectory("argo-bench-record")
-    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // in the warm-up Java compiles all code
+    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // Java compiles the code during the warm-up
     val files = (1..DRIVES).map { folder.resolve("drive-$it.mcap") }
     val (without, with) = files.map { drive(null) to drive(it) }.unzip().run { Cycles(first) to Cycles(second) }
     println("without a recording: $without")
@@ -45,8 +43,8 @@ internal fun recorded(): Boolean {
 }
 
 /**
- * Returns how many times faster than real time a new Java machine replays [file]. The time includes the machine's start. The replay is
- * started as by the tool `replay`.
+ * Returns the speed of a replay of [file] in a new Java process, relative to real time. The time includes the start of the process. The
+ * replay is started as the tool `replay` starts it.
  */
 private fun paceApart(file: Path): Double {
     val begin = System.nanoTime()
@@ -56,13 +54,13 @@ private fun paceApart(file: Path): Double {
     return (times.last() - times.first()).toDouble() / elapsedNs
 }
 
-/** Replays [files] one after the other. Returns how many times faster than real time each replay was. */
+/** Replays [files] one by one. Returns the speed of each replay, relative to real time. */
 internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of(it)) }
 
 private fun pace(file: Path): Double {
     val begin = System.nanoTime()
     return Recording(file).use { recording ->
-        Replay(recording, isChecking = true).use { replay -> // the agent has an architecture of this benchmark's own
+        Replay(recording, isChecking = true).use { replay -> // the agent's architecture belongs to this benchmark
             val firstNs = checkNotNull(replay.nextNs) { "$file holds no cycle" }
             replay.run()
             check(replay.differences.isEmpty()) { replay.differences.first() }
@@ -72,12 +70,12 @@ private fun pace(file: Path): Double {
 }
 
 /**
- * The processor times of an agent's cycles, the number of its board's [messages] in these cycles, and the processor time of the thread that
- * writes the recording. Times are in ns.
+ * Processor times in ns: those of the agent's cycles, and that of the thread that writes the recording. [messages] is the number of the
+ * board's messages in these cycles.
  */
 private class Drive(val cycles: List<Long>, val messages: Int, val writingNs: Long)
 
-/** Returns the processor time of the thread that writes a recording; 0: there is none. */
+/** Returns the processor time of the recording thread, or 0 if there is none. */
 private fun writingNs(): Long {
     val threads = ManagementFactory.getThreadMXBean()
     return threads.getThreadInfo(threads.allThreadIds).filterNotNull().filter { it.threadName.startsWith(WRITER) }
@@ -85,8 +83,8 @@ private fun writingNs(): Long {
 }
 
 /**
- * Runs an agent that asks its board every [intervalMs]: first for [LOADING_S], then for [seconds], which are measured. Records the agent to
- * [file]; null: without a recording.
+ * Runs an agent that requests percepts every [intervalMs]. Measures [seconds] after [LOADING_S]. Records the agent to [file], or makes no
+ * recording if [file] is null.
  */
 private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVAL_MS): Drive {
     val times = ArrayList<Long>()
@@ -107,7 +105,7 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
     return Drive(times, board.messages - before, writing)
 }
 
-/** An agent whose reasoning cycles are measured: see [times]. */
+/** An architecture that measures its reasoning cycles in [times]. */
 class TimedArch(platform: Platform) : Arch(platform) {
     private var begunNs = 0L
 
@@ -126,9 +124,7 @@ class TimedArch(platform: Platform) : Arch(platform) {
     companion object {
         private val threads = ManagementFactory.getThreadMXBean()
 
-        /**
-         * The processor time of the agent's thread in each cycle, in ns; null: it is not measured. Read this list only when no agent runs.
-         */
+        /** The processor time of each cycle in ns, or null if nothing is measured. Read this list only while no agent runs. */
         @Volatile
         var times: MutableList<Long>? = null
     }
@@ -148,10 +144,8 @@ private class Cycles(drives: List<Drive>) {
     private val sorted = drives.flatMap { it.cycles }.sorted()
     private val cyclesOfMessage = sorted.size.toDouble() / drives.sumOf { it.messages }
 
-    /** The median over the drives. */
     val messageNs = drives.map { it.cycles.sum().toDouble() / it.messages }.sorted()[drives.size / 2]
 
-    /** The median over the drives. */
     val writingNs = drives.map { it.writingNs.toDouble() / it.messages }.sorted()[drives.size / 2]
 
     override fun toString() = figures(
@@ -165,12 +159,12 @@ private fun program(intervalMs: Int) = sensing(
 )
 
 private const val BOARD = "bench-record"
-private const val WRITER = "argo-recording-" // the file's name follows
+private const val WRITER = "argo-recording-" // the name of the file follows
 private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3
 private const val DRIVE_S = 8
-private const val LOADING_S = 2 // in this time classes are loaded and the port is opened
+private const val LOADING_S = 2 // classes are loaded and the port is opened in this time
 private const val MINUTE_S = 60
 private const val MOST_COST = 5
 private const val MOST_MEGABYTES = 2

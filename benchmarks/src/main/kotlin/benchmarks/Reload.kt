@@ -13,9 +13,9 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.writeText
 
 /**
- * Measures reloads of a program with 200 plans while its agent senses a board at 50 Hz: the time from the call until the agent has the new
- * program, and the effect on the agent's perception. Prints a line for reloads that change one plan, and a line for reloads that change all
- * plans. Returns true if all figures are within their bounds.
+ * Measures reloads of a program with 200 plans while its agent senses a board at 50 Hz. The figures are the time until the agent has the
+ * new program, and the effect on perception. Prints one line for reloads that change one plan, and one for reloads that change all plans.
+ * Returns true if all figures keep their bounds.
  */
 internal fun reloaded(): Boolean {
     println("machine: ${machine()}")
@@ -30,7 +30,7 @@ private fun measured(what: String, changed: Int): Boolean = withAgents(mapOf(BOA
     val first = reload(arch, file, programOf(1, changed))
     arch.begin()
     val times = (2 until RELOADS + 2).map { version ->
-        Thread.sleep(PAUSE_MS + version % INTERVAL_MS.toLong()) // so that reloads come at different times between two messages
+        Thread.sleep(PAUSE_MS + version % INTERVAL_MS.toLong()) // varies the time of the reload between two messages
         reload(arch, file, programOf(version, changed))
     }.sorted()
     val seen = arch.end()
@@ -44,7 +44,6 @@ private fun measured(what: String, changed: Int): Boolean = withAgents(mapOf(BOA
     times.last() <= MOST_MS && seen.lost == 0 && seen.longestMs <= 2 * INTERVAL_MS
 }
 
-/** Makes the agent of [arch] reload [program]. Returns the time in ms. */
 private fun reload(arch: Arch, file: Path, program: String): Double {
     file.writeText(program)
     val done = CompletableFuture<Outcome>()
@@ -55,9 +54,9 @@ private fun reload(arch: Arch, file: Path, program: String): Double {
     return (System.nanoTime() - begin) / NS_OF_MS
 }
 
-/** The architecture of an agent that notes which of its board's numbered messages it perceives, and when. */
+/** An architecture that notes the number and time of each perceived message of its board. */
 class PerceivingArch(platform: Platform) : Arch(platform) {
-    /** The number of perceived messages and of lost ones, the longest time between two perceived messages, and the longest cycle. */
+    /** The numbers of perceived and lost messages, the longest time between two perceived messages, and the longest cycle. */
     internal class Seen(val messages: Int, val lost: Int, val longestMs: Double, val longestCycleMs: Double)
 
     private val numbers = ArrayList<Int>()

@@ -9,13 +9,13 @@ import javino.sim.BoardSession
 import javino.sim.SimulatedBoard
 
 /**
- * A board that answers each request at once, in the request's version of the protocol, and acknowledges actions.
+ * A board that answers each request at once, in the protocol version of the request. The board acknowledges actions.
  *
- * @param speaks the version of the protocol that the board reads, or both versions
- * @param percepts returns the board's answer to the nth request, n counted from 1
- * @param answered called by the board's thread after the nth answer, with n, the [System.nanoTime] at which the answer's last byte leaves
- *   the line, and the number of bytes of request and answer
- * @param acted called by the board's thread with each action; a repetition of the same command is left out
+ * @param speaks the protocol version of the board, or both versions
+ * @param percepts returns the answer to the nth request, counted from 1
+ * @param answered called by the board's thread after the nth answer. Gets n, the [System.nanoTime] at which the answer's last byte leaves
+ * the line, and the number of bytes of request and answer
+ * @param acted called by the board's thread with each action, except repetitions of a command
  */
 class SensorBoard(
     private val speaks: Protocol,
@@ -40,7 +40,7 @@ class SensorBoard(
     }
 
     companion object {
-        /** Returns message [n] of a robot with sensors on four sides: twelve percepts, all different from those of message [n] - 1. */
+        /** Returns message [n] of a robot with sensors on four sides. All its twelve percepts differ from those of message [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")
             val readings = sides.map { "dist($it,${n % 100 + 20})" } +

@@ -12,9 +12,9 @@ import javino.Transports
 import java.util.concurrent.TimeUnit
 
 /**
- * A simple architecture for comparison with ARGO's latency. One thread reads, decides in Jason and writes. In each reasoning cycle it
- * requests percepts, waits for the answer, and parses the answer with Jason's parser. [say] writes a command at once. There are no filters
- * and no second port, and faults are not handled.
+ * A simple architecture for comparison with ARGO's latency. One thread reads, decides and writes. Each reasoning cycle requests percepts,
+ * waits for the answer, and parses it with Jason's parser. [say] writes a command at once. The architecture has no filters, only one port,
+ * and no fault handling.
  *
  * Set [port] before Jason makes the agent.
  */
@@ -43,10 +43,10 @@ class SingleThread : AgArch() {
         return messages.removeFirst()
     }
 
-    /** Writes a message on the agent's thread. There is no time limit, since that would need another thread. */
+    /** Writes a message on the agent's thread. There is no time limit, since a limit would need another thread. */
     fun say(message: String) = Frame.of(message).toBytes().let { line.write(it, 0, it.size, 0) }
 
-    /** Returns false, since the agent never sleeps: it waits in [perceive]. */
+    /** Returns false. The agent never sleeps, since it waits in [perceive]. */
     override fun canSleep() = false
 
     override fun stop() {
@@ -57,7 +57,6 @@ class SingleThread : AgArch() {
     companion object {
         private val INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(LatencyCourse.INTERVAL_MS.toLong())
 
-        /** The port for the next agent. */
         @Volatile
         var port: String = ""
     }

@@ -5,9 +5,9 @@ import java.util.concurrent.atomic.AtomicLongArray
 import kotlin.math.min
 
 /**
- * Measures the age of an agent's newest snapshot when an intention acts on it. The age is the time from the last byte of the board's answer
- * to the first action of a plan for a percept of the answer. All [sensors] change in each answer, and each change is an event. The agent
- * has [plans] plans for each event, of which only the last one applies.
+ * Measures the age of the newest snapshot when an intention acts on it. The age is the time from the last byte of an answer to the first
+ * action of a plan for its percept. All [sensors] change in each answer, and each change is an event. The agent has [plans] plans for each
+ * event. Only the last one applies.
  */
 internal fun snapshotAge(sensors: Int, plans: Int): Distribution {
     val receivedAt = AtomicLongArray(MAX_ACTIONS)
@@ -31,7 +31,7 @@ internal fun snapshotAge(sensors: Int, plans: Int): Distribution {
 private fun actsOnEach(plans: Int) =
     (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
 
-/** Measures the ages of snapshots. [receivedAt] has the time of each snapshot, by the snapshot's number. */
+/** Measures the ages of snapshots. [receivedAt] has the times of the snapshots, by number. */
 private class AgeMeter(private val receivedAt: AtomicLongArray) {
     private val ages = LongArray(MAX_ACTIONS)
 
@@ -46,7 +46,7 @@ private class AgeMeter(private val receivedAt: AtomicLongArray) {
     fun distribution() = Distribution(ages.copyOf(min(count, MAX_ACTIONS)))
 }
 
-/** At this rate the line takes little of the measured time: some 75 ms for 1,200 percepts. */
+/** At this rate, the line takes little of the measured time: about 75 ms for 1,200 percepts. */
 private const val BAUD = 2_000_000
 private const val INTERVAL_MS = 20
 private const val MAX_ACTIONS = 1_000_000

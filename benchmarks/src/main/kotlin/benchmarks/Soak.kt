@@ -4,19 +4,19 @@ import javino.Protocol
 import java.util.BitSet
 
 /**
- * Checks many agents, each with a board in memory. The agents sense at 50 Hz, and act on each answer. Heap and threads must not grow, and
- * each action must be carried out exactly once.
+ * Tests many agents, each with a board in memory. The agents sense at 50 Hz and act on each answer. Heap and threads must not grow. Each
+ * action must be carried out exactly once.
  *
- * @param seconds the length of the run, at least 3. Heap and threads may grow at first: until all agents act, and for a minute, or for a
- *   third of a short run.
+ * @param seconds the length of the run, at least 3. Heap and threads may grow until all agents act, and for one more minute. In a short
+ * run, they may grow for a third of it
  */
 class Soak(private val agents: Int, private val seconds: Int) {
-    /** The figures of a run. The heap is in bytes, after a garbage collection. */
+    /** The figures of a run. The heap is in bytes after a garbage collection. */
     class Result(
         val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
         val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
     ) {
-        /** The faults of the run, in words; empty: there are none. */
+        /** The faults of the run in words, or an empty list. */
         val faults: List<String> get() = listOfNotNull(
             "no action was confirmed".takeIf { confirmed == 0L },
             "$twice actions were carried out twice".takeIf { twice > 0 },
@@ -33,7 +33,6 @@ class Soak(private val agents: Int, private val seconds: Int) {
 
     private val boards = (1..agents).map { Account() }
 
-    /** Runs the test, on this thread and the agents' threads. */
     fun run(): Result {
         acts.heard = { n, _, (_, agent, what) -> boards["$agent".toInt() - 1].told(n, "$what") }
         val plugged = boards.mapIndexed { i, account ->
@@ -59,7 +58,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         }
     }
 
-    /** Returns the heap that is always in use: the least of some samples, since acting agents briefly use some 10 MB more. */
+    /** Returns the least heap of some samples. Acting agents briefly use some 10 MB more. */
     private fun steadyHeap() = (1..HEAP_SAMPLES).minOf {
         Thread.sleep(HEAP_SAMPLE_MS)
         usedHeap()
@@ -72,7 +71,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         +!end    <- argo.percepts(block).
     """
 
-    /** Compares the actions that one agent ordered with those that its board carried out. Safe on any thread. */
+    /** Compares the actions that one agent ordered with those that its board carried out. Safe for use by several threads. */
     private class Account {
         private val ordered = BitSet()
         private val acted = BitSet()
@@ -109,11 +108,10 @@ class Soak(private val agents: Int, private val seconds: Int) {
             if (what == "failed") failed++
         }
 
-        /** Returns true if the agent knows the outcome of every action that it ordered. */
         @Synchronized
         fun isSettled() = ordered == known
 
-        /** Returns how many actions were confirmed but not carried out, or have an outcome that the agent does not know. */
+        /** Returns the number of actions that were confirmed but not carried out, or whose outcome is unknown. */
         @Synchronized
         fun lost(): Long {
             val unknown = (ordered.clone() as BitSet).apply { andNot(known) }
@@ -126,7 +124,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
 
-        /** After this number of actions, an agent has loaded and allocated all that it needs. */
+        /** After this number of actions, an agent has loaded all classes and allocated all buffers. */
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
@@ -134,12 +132,11 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val HEAP_SAMPLES = 8
         const val HEAP_SAMPLE_MS = 100L
 
-        /** The allowed growth, since the program's own threads come and go. */
+        /** The allowed growth, since other threads of the program start and end. */
         const val SPARE_THREADS = 2
     }
 }
 
-/** Runs a hundred agents for ten minutes and prints the figures. Returns true if there is no fault. */
 internal fun soak(): Boolean {
     val result = Soak(agents = 100, seconds = 600).run()
     println("100 agents at 50 Hz for 600 s: $result")

@@ -14,8 +14,8 @@ private const val CONNECTIONS = 100
 private const val PATIENCE_MS = 20_000
 
 /**
- * Measures the cost of TLS compared with TCP: the time of opening, the time of a request and an answer of 150 bytes, and the heap of an
- * open connection. The other end is `socat`, which echoes. Needs `socat` and `openssl`.
+ * Compares TLS with TCP: the time to open a connection, the time of a request and an answer of 150 bytes, and the heap per connection.
+ * `socat` is the other end, and echoes. Needs `socat` and `openssl`.
  */
 internal fun tls() {
     val folder = Files.createTempDirectory("argo-tls")

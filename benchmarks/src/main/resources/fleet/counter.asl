@@ -1,4 +1,4 @@
-// Counts, ten times a second.
+// Counts ten times per second.
 count(0).
 
 !count.

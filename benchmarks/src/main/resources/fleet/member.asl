@@ -1,1 +1,1 @@
-// Is there.
+// Does nothing.

@@ -1,4 +1,4 @@
-// Sends a message to pong on another computer, and the next one when the answer has come.
+// Sends a message to pong on another computer. Sends the next one after the answer.
 +!start : not begun <- +begun; !!lap.
 +!start.
 

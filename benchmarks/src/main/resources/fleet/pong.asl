@@ -1,4 +1,4 @@
-// Calls ping until it answers; then sends everything back.
+// Calls ping until it answers. Then sends all messages back.
 !call.
 
 +!call : not met <- .send(ping, achieve, start); .wait(300); !call.

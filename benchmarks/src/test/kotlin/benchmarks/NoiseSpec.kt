@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeAtMost
 
-/** The figures of `docs/filters.md` on noise, with fewer percepts. */
+/** Checks the figures of `docs/filters.md` on noise, with fewer percepts. */
 class NoiseSpec : StringSpec({
     fun left(stray: Stray, words: String) =
         falseStops(SMOOTHING.getValue(words), stray, 100_000).toDouble() / falseStops({}, stray, 100_000)

@@ -6,7 +6,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.time.Duration.Companion.minutes
 
-/** The run of `./argo bench ros`, for two seconds at one rate instead of a minute at three, and without roslibpy. */
+/** Runs `./argo bench ros` for two seconds at one rate, without roslibpy. */
 @Tags("Thorough")
 class RosSpec : FunSpec({
     test("an agent behind a bridge that is restarted ten times acts on, once for each command, and leaves nothing behind")

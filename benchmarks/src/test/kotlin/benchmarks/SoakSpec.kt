@@ -5,7 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import kotlin.time.Duration.Companion.minutes
 
-/** The run of `./argo bench soak`, for nine seconds in place of ten minutes. */
+/** Runs `./argo bench soak` for nine seconds. */
 @Tags("Thorough")
 class SoakSpec : FunSpec({
     test("a hundred agents on a hundred boards leave no action unaccounted for, and neither heap nor threads grow")

@@ -20,15 +20,14 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-/** Runs boards in another process, so that their work does not count for the agent's process. */
+/** Runs boards in another process. The boards' work then does not count for the agent's process. */
 internal class BoardHost private constructor(private val process: Process) : AutoCloseable {
     private val commands = process.outputWriter()
     private val answers = process.inputReader()
 
-    /** The ports of the boards as an agent names them. For boards on devices: the devices at the boards' ends of the lines. */
+    /** The ports of the boards, as an agent names them. For boards on devices, these are the devices at the boards' ends. */
     val ports: List<String> = words()
 
-    /** Returns the number of requests that each board has answered, in the order of [ports]. */
     fun answered(): List<Long> = ask("answered").map(String::toLong)
 
     fun openLines(): Int = ask("open").single().toInt()
@@ -47,22 +46,20 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     }
 
     companion object {
-        /** Starts a board on each of [devices]. Each board has so many [percepts], which all change with each answer. */
+        /** Starts a board on each of [devices]. Each board has [percepts] percepts, and all change in each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
             BoardHost(programApart(BOARD_HOST, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
-        /** Starts so many [boards], each on a TCP port of this machine. */
         fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(BOARD_HOST, "$percepts", *Array(boards) { NETWORK }))
     }
 }
 
-/** The argument that starts [hostBoards] as a program. */
 internal const val BOARD_HOST = "board-host"
 
 private const val NETWORK = "tcp"
 private const val BAUD = 115_200
 
-/** The program of [BoardHost]. The arguments are the number of percepts, and a device or `tcp` for each board. */
+/** The program of [BoardHost]. The arguments are the number of percepts, and for each board a device or `tcp`. */
 internal fun hostBoards(arguments: List<String>) {
     val percepts = arguments.first().toInt()
     val boards = arguments.drop(1).map { if (it == NETWORK) NetworkBoard(percepts) else DeviceBoard(it, percepts) }

@@ -10,13 +10,14 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts the messages and perceived snapshots of an agent's boards, [boards] of them. As soon as all boards have been perceived, notes the
- * skew, the time between the oldest and the newest snapshot, after each cycle with a perception. Safe on any thread.
+ * Counts the messages and the perceived snapshots of an agent's [boards] boards. After all boards have been perceived once, it notes the
+ * skew after each cycle with a perception. The skew is the time between the oldest and the newest snapshot. Safe for use by several
+ * threads.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
     private val perceivedOf = ConcurrentHashMap<String, AtomicLong>()
-    private val newest = HashMap<String, Long>() // only the agent's thread uses it
+    private val newest = HashMap<String, Long>() // used only by the agent's thread
     private val skews = ArrayList<Long>() // guarded by this list
     private var isNew = false
 
@@ -38,13 +39,11 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
         if (newest.size == boards) synchronized(skews) { skews += newest.values.max() - newest.values.min() }
     }
 
-    /** Returns the number of messages from each board, by its port. */
     fun sensed(): Map<String, Long> = sensedOf.mapValues { (_, count) -> count.get() }
 
-    /** Returns the number of perceived snapshots of each board, by its port. */
     fun perceived(): Map<String, Long> = perceivedOf.mapValues { (_, count) -> count.get() }
 
-    /** Waits until the agent has perceived all boards, at most [seconds] s. */
+    /** Waits for up to [seconds] s until the agent has perceived all boards. */
     fun awaitAll(seconds: Int) = check(awaitAtMost(seconds) { perceivedOf.size == boards }) {
         "only ${perceivedOf.size} of $boards boards are perceived"
     }
@@ -60,7 +59,6 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
 
         private val watches = ConcurrentHashMap<String, BoardWatch>()
 
-        /** Returns the watch of the agent [name], which must have been started. */
         fun of(name: String): BoardWatch = watches.getValue(name)
 
         fun open(name: String, boards: Int): BoardWatch = BoardWatch(boards).also { watches[name] = it }
@@ -70,7 +68,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
 internal fun leastMore(before: Map<String, Long>, after: Map<String, Long>): Long =
     after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 
-/** `[argo_watched=8]` watches an agent of eight boards: see [BoardWatch]. */
+/** Makes a [BoardWatch] for the option `[argo_watched=8]`, here of eight boards. */
 class BoardWatchProvider : AgentObserverProvider {
     override val option = BoardWatch.OPTION
     override val usage = "the number of its boards"

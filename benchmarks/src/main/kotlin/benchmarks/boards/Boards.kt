@@ -26,7 +26,9 @@ fun boards(timelines: File): Boolean {
     return true
 }
 
-/** Measures how soon an agent on three boards reacts, and prints the figures. Writes the worst reactions to [timelines]. */
+/**
+ * Measures how fast an agent on three boards reacts, and prints the figures. Writes the timelines of the worst reactions to [timelines].
+ */
 private fun stopThree(timelines: File) {
     println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")
     println("%-36s %s".format("", BAUDS.joinToString("   ") { "%26s".format("$it baud") }))

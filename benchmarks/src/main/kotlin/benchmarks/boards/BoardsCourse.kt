@@ -6,10 +6,8 @@ import benchmarks.figures
 import benchmarks.figuresApart
 import javino.sim.PseudoTerminals
 
-/** The argument that starts [boardsCourse] as a program. */
 internal const val BOARDS_COURSE = "boards-course"
 
-/** Measures each course in a new Java machine, and prints the figures. */
 internal fun senseSeveral() {
     println("pseudo-terminals, all percepts change, 50 Hz, 20 s after 40 s; boards in another process")
     var one = Double.NaN
@@ -34,12 +32,12 @@ internal fun senseSeveral() {
 }
 
 /**
- * Measures an agent that senses so many [boards] at 50 Hz over pseudo-terminals. Each board has so many [percepts], which all change with
- * each answer. The boards run in another process. Returns, in this order:
- * - the sensing rate of the board that is sensed least often, as a share of 50 Hz, from 0 to 1, and the same for perceived snapshots
- * - the share of one processor that the agent's process took
- * - the quantiles for [SHARES] of the skew of [BoardWatch], in ms
- * - the share of one processor that each [ThreadGroup] took
+ * Measures an agent that senses [boards] boards at 50 Hz over pseudo-terminals. Each board has [percepts] percepts, and all change in each
+ * answer. The boards run in another process. Returns, in this order:
+ * - the lowest sensing rate of a board, as a share of 50 Hz from 0 to 1, and the lowest rate of perceived snapshots
+ * - the share of one processor that the agent's process used
+ * - the quantiles for [SHARES] of the skew in [BoardWatch], in ms
+ * - the share of one processor that each [ThreadGroup] used
  */
 internal fun boardsCourse(boards: Int, percepts: Int): List<Double> {
     val lines = List(boards) { PseudoTerminals.open() }

@@ -8,10 +8,9 @@ import benchmarks.usedHeap
 import jason.runtime.RuntimeServicesFactory
 import kotlin.math.abs
 
-/** The argument that starts [manyBoards] as a program. */
 internal const val MANY_BOARDS = "many-boards"
 
-/** Measures an agent of 127 boards on the network in a new Java machine. Returns the figures in words. */
+/** Measures an agent of 127 network boards in a new Java process. Returns the figures in words. */
 internal fun sensedMany(): String {
     val measured = figuresApart(MANY_BOARDS)
     val (leastSensed, lost, messages, heapMb, residentMb) = measured
@@ -24,13 +23,12 @@ internal fun sensedMany(): String {
 }
 
 /**
- * Measures an agent of 127 boards on the network, each sensed five times a second. The boards run in another process. Returns, in this
- * order:
- * - the sensing rate of the board that is sensed least often, as a share of the nominal rate, from 0 to 1
- * - the number of answers that the agent did not get, or got twice, and the number of all answers
- * - the heap for the boards, without garbage, and the resident memory of the process, in MB
- * - the number of threads for the boards
- * - the time from `argo.ports` until all boards have been perceived, and from the agent's end until the boards see all lines closed, in ms
+ * Measures an agent of 127 network boards, each sensed five times per second. The boards run in another process. Returns, in this order:
+ * - the lowest sensing rate of a board, as a share of the nominal rate from 0 to 1
+ * - the number of answers that were lost or doubled, and the number of all answers
+ * - the heap of the boards after a garbage collection, and the resident memory of the process, both in MB
+ * - the number of threads of the boards
+ * - the time in ms from `argo.ports` until all boards are perceived, and from the end of the agent until all lines are closed
  */
 internal fun manyBoards(): List<Number> = BoardHost.onNetwork(BOARDS, PERCEPTS).use { host -> Agents().use { measure(it, host) } }
 

@@ -3,23 +3,22 @@ package benchmarks.boards
 import benchmarks.processNanos
 import java.lang.management.ManagementFactory
 
-/** The groups of threads in an agent's process. */
 internal enum class ThreadGroup(val title: String) {
-    /** The threads that wait for answers, and read and filter them. */
+    /** The threads that wait for answers, read them and filter them. */
     SENSING("sensing"),
 
     REASONING("reasoning"),
 
-    /** Other threads of Java: commands, drivers, Jason. */
+    /** Other Java threads: commands, drivers, Jason. */
     OTHER("other threads"),
 
-    /** The Java machine's own threads: compiler and garbage collector. */
+    /** The threads of the Java virtual machine: compiler and garbage collector. */
     MACHINE("the Java machine"),
 }
 
-/** Processor times in ns since the process began. */
+/** Processor times in ns since the start of the process. */
 internal class ProcessorTimes private constructor(val process: Long, private val threads: Map<Long, Pair<ThreadGroup, Long>>) {
-    /** Returns the times since [earlier]. The time of threads that have ended meanwhile counts for the Java machine. */
+    /** Returns the times since [earlier]. The time of ended threads counts for the Java virtual machine. */
     operator fun minus(earlier: ProcessorTimes) = ProcessorTimes(
         process - earlier.process,
         threads.mapValues { (id, thread) -> thread.first to thread.second - (earlier.threads[id]?.second ?: 0) },

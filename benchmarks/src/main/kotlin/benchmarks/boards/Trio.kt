@@ -12,7 +12,7 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The trouble that one board has while the others are measured. */
+/** A fault of one board while the others are measured. */
 internal enum class Trouble(val title: String) {
     KILLED("is killed"),
     HANGS("hangs"),
@@ -20,8 +20,8 @@ internal enum class Trouble(val title: String) {
 }
 
 /**
- * One agent on simulated Unos with the rates of [bauds], in virtual time. Each Uno has twelve sensors that all change, and the sensing
- * interval is 20 ms. Each Uno drives its own robot, which the agent stops at a limit.
+ * One agent on simulated Unos with the baud rates [bauds], in virtual time. Each Uno has twelve changing sensors. The sensing interval is
+ * 20 ms. Each Uno drives a robot of its own, which the agent stops at a limit.
  */
 internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
@@ -33,7 +33,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** Gives the board at the rate [baud] this [trouble]. From then on its robot is not measured. */
+    /** Gives the board at the rate [baud] this [trouble]. The robot of that board is no longer measured. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)
@@ -49,8 +49,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Makes the agent stop each robot so many [times]. Returns the reactions by baud rate. The robots cross the limit at instants that are
-     * spread evenly over the sensing interval: with random instants, the median would vary more than the boards differ.
+     * Makes the agent stop each robot [times] times. Returns the reactions by baud rate. The robots cross the limit at times that are
+     * spread evenly over the sensing interval. Random times would make the medians vary more than the boards differ.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -61,7 +61,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
-        for (baud in bauds) { // lost boards get random numbers too, so that all runs are alike
+        for (baud in bauds) { // lost boards also draw random numbers, so that all runs are equal
             val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
             if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
@@ -116,7 +116,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         val SETTLING = 3.seconds
         val PATIENCE = 20.seconds
 
-        /** A message of version 1 that no request caused. */
+        /** A version 1 message without a request. */
         val FLOOD: ByteArray = Frame.of((1..12).joinToString(";", postfix = ";") { "dist($it,1)" }).toBytes()
 
         fun name(baud: Int) = "at$baud"
@@ -125,9 +125,9 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 }
 
-/** The times from the limit to the stop of one robot. */
+/** The times of one robot from the limit to the stop. */
 internal class Reactions(private val ones: List<One>) {
-    /** A time from the limit to the stop, in ns, with the timeline of the robot's line since the limit. */
+    /** The time from the limit to the stop in ns. [timeline] shows the robot's line in that time. */
     class One(val nanos: Long, val timeline: String)
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })

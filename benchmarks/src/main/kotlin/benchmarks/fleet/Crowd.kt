@@ -11,10 +11,10 @@ private const val MAX_SHARE = 0.1
 private const val PATIENCE_S = 300
 private const val IDLE_S = 30
 
-/** The time between the starts of two processes. Two processors can start about two processes a second. */
+/** The time between the starts of two processes. Two processors start about two processes per second. */
 internal const val PACE_MS = 500L
 
-/** Measures how long fifty computers take until each knows all thousand agents, and what these computers cost when idle. */
+/** Measures the time until fifty computers know a thousand agents, and the cost of these computers when idle. */
 internal fun crowd(): Boolean {
     val names = List(COMPUTERS) { "computer${it + 1}" }
     val agents = names.joinToString(" ") { "watcher_$it watcher.asl at \"$it\"; member_${it}_ member.asl #${AGENTS - 1} at \"$it\";" }
@@ -39,8 +39,8 @@ internal fun crowd(): Boolean {
 }
 
 /**
- * Makes an archive of the classes that a computer of a fleet loads. Returns options of Java machines that share the archive, need little
- * memory and compile quickly, since many of them run on one computer.
+ * Makes an archive of the classes that a fleet computer loads. Returns Java options that share the archive, save memory and compile
+ * quickly. Many processes then fit on one computer.
  */
 private fun sharing(project: Project): List<String> {
     val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData")
@@ -52,7 +52,6 @@ private fun sharing(project: Project): List<String> {
     return small + "-XX:SharedArchiveFile=$archive"
 }
 
-/** Returns the processor time of [process] until now, in the kernel's ticks. */
 private fun ticks(process: Process): Long =
     File("/proc/${process.pid()}/stat").readText().substringAfterLast(") ").split(' ').let { it[UTIME].toLong() + it[UTIME + 1].toLong() }
 
@@ -61,5 +60,5 @@ private fun residentKb(process: Process): Long =
 
 private const val TICKS_A_SECOND = 100.0
 
-/** The index, from 0 after the program's name, of the field of `/proc/PID/stat` with the time in user mode. */
+/** The index of the user time in `/proc/PID/stat`, counted from 0 behind the program's name. */
 private const val UTIME = 11

@@ -15,7 +15,7 @@ private const val MAX_KILLED_MS = 1000
 private const val MAX_UNPLUGGED_MS = 3000
 private val CROWDS = listOf(2, 10, 50)
 
-/** The rows of the result, by their names. Each prints its figures, and returns whether they reach the goal. */
+/** The measurements, by name. Each prints its figures and returns true if they reach the goal. */
 private val ROWS: Map<String, () -> Boolean> = mapOf(
     "send" to ::pingPongs,
     "failures" to ::noticed,
@@ -26,12 +26,12 @@ private val ROWS: Map<String, () -> Boolean> = mapOf(
 )
 
 /**
- * Measures a fleet of several computers. Each is a process on this computer, in a network namespace of its own if possible. The figures are
- * the time of a message there and back, compared with JADE; the time until a failure is noticed; the outcomes of a million messages while
- * computers are killed and unplugged; and the cost of membership.
+ * Measures a fleet of several computers. Each computer is a process on this machine, if possible in its own network namespace. Measures the
+ * round trip of a message, compared with JADE, and the time until a failure is detected. Also measures the outcomes of a million messages
+ * while computers fail, and the cost of membership.
  *
- * @param rows the names of the rows to measure; empty: all
- * @return whether all goals are reached
+ * @param rows the names of the measurements, or an empty list for all
+ * @return true if all goals are reached
  */
 internal fun fleet(rows: List<String>): Boolean {
     val unknown = rows - ROWS.keys
@@ -42,7 +42,7 @@ internal fun fleet(rows: List<String>): Boolean {
 
 private fun names(count: Int) = List(count) { "computer${it + 1}" }
 
-/** Runs [trial] with [count] computers in network namespaces. If namespaces cannot be made, says so and returns true. */
+/** Runs [trial] with [count] computers in network namespaces. If namespaces cannot be made, prints that and returns true. */
 private fun inNamespaces(what: String, count: Int, trial: (Trial, Namespaces, List<String>) -> Boolean): Boolean {
     Namespaces.missing?.let {
         println("$what: left out, since $it")
@@ -111,7 +111,7 @@ private fun manyMessages() = inNamespaces("messages", MANY) { trial, network, na
     faults.isEmpty()
 }
 
-/** Disturbs the computer [name]: kills it, starts it if it was killed, or unplugs it for some seconds. */
+/** Disturbs the computer [name]: kills it, starts it again, or unplugs it for some seconds. */
 private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
     Thread.sleep(random.nextLong(2000))
     when {
@@ -128,7 +128,7 @@ private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
 private fun membership() = CROWDS.map { count ->
     inNamespaces("membership", count) { _, network, names ->
         val seconds = 20
-        Thread.sleep(seconds * 1000L) // until all have joined
+        Thread.sleep(seconds * 1000L) // until all computers have joined
         val before = names.sumOf(network::bytesSent)
         Thread.sleep(seconds * 1000L)
         val rate = (names.sumOf(network::bytesSent) - before) / seconds / count

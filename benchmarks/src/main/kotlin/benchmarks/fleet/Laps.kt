@@ -10,19 +10,18 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import java.io.File
 
-/** The file in which [counted] notes the process, the time in nanoseconds, and the count. */
+/** The file in which [counted] writes the process, the time in ns and the count. */
 internal const val COUNTS = "counts.txt"
 
-/** The file in which [known] notes the process, and a digest of the names. */
+/** The file in which [known] writes the process and a digest of the names. */
 internal const val NAMES = "names.txt"
 
-/** The times of an agent's messages there and back. */
+/** The round-trip times of an agent's messages. */
 internal object Laps {
-    /** The number of first messages that do not count, since Java has not compiled the code yet. */
+    /** The number of first messages that do not count. Java has not compiled the code by then. */
     private const val COLD = 3000
     private const val MEASURED = 10_000
 
-    /** The file of the measured times, in nanoseconds. */
     const val FILE = "laps.txt"
     private val nanos = mutableListOf<Long>()
     private var begin = 0L
@@ -43,7 +42,7 @@ private fun note(file: String, vararg numbers: Long) = File(file).appendText(num
 
 private fun pid() = ProcessHandle.current().pid()
 
-/** The internal action `benchmarks.fleet.left` notes that a message is about to be sent. */
+/** The internal action `benchmarks.fleet.left` starts the time of a message. */
 class left : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         Laps.begin()
@@ -51,7 +50,7 @@ class left : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.came` notes that the answer has come. After the last answer it ends the program. */
+/** The internal action `benchmarks.fleet.came` ends the time of a message. The last answer ends the program. */
 class came : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         Laps.end()
@@ -59,7 +58,7 @@ class came : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.counted(N)` notes the count N. */
+/** The internal action `benchmarks.fleet.counted(N)` writes the count N. */
 class counted : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         note(COUNTS, pid(), System.nanoTime(), (args[0] as NumberTerm).solve().toLong())
@@ -67,7 +66,7 @@ class counted : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.known(Names)` notes a digest of the names of all agents. */
+/** The internal action `benchmarks.fleet.known(Names)` writes a digest of the names of all agents. */
 class known : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         note(NAMES, pid(), (args[0] as ListTerm).map { "$it" }.sorted().hashCode().toLong())

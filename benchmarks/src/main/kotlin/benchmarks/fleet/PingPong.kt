@@ -10,7 +10,7 @@ private const val PATIENCE_S = 120L
 private const val START_S = 60
 private val COMPUTERS = listOf("one", "two")
 
-/** Measures the time of agents' messages there and back between two processes, with the fleet and with JADE. */
+/** Measures the round trip of agents' messages between two processes, with the fleet and with JADE. */
 internal fun pingPongs(): Boolean {
     val ports = freePorts(2)
     val fleet = pingPong("the fleet", Project.fleetOf(COMPUTERS), "") { listOf("argo.fleet.MainKt", "bench.mas2j", "--at", it) }
@@ -25,7 +25,7 @@ private fun container(name: String, ports: List<Int>): List<String> {
         "-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly true --no-net true".split(' ')
 }
 
-/** @param ready the text that the first computer prints before the second one may start */
+/** @param ready the text that the first computer prints before the second may start */
 private fun pingPong(what: String, infrastructure: String, ready: String, program: (String) -> List<String>): Distribution {
     val mas2j = "MAS bench { infrastructure: $infrastructure agents: ping at \"one\"; pong at \"two\"; }"
     return Project(mas2j, listOf("ping", "pong")).use { project ->

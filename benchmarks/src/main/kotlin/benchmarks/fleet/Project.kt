@@ -8,10 +8,10 @@ import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
 /**
- * A project of agents in a folder of its own, and the processes that run it.
+ * A project of agents in its own folder, and its processes.
  *
  * @param mas2j the text of `bench.mas2j`
- * @param agents the names of the agents' files, without `.asl`
+ * @param agents the agents' file names without `.asl`
  */
 internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     private val folder = createTempDirectory("argo-bench-fleet")
@@ -26,12 +26,11 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     fun file(name: String): Path = folder.resolve(name)
 
-    /** Everything that all processes have printed. */
     fun printed(): String = file(OUT).toFile().readText()
 
     private var classPath = System.getProperty("java.class.path")
 
-    /** Packs the folders of the class path into jars, since an archive of classes can contain only classes from jars. */
+    /** Packs the folders of the class path into jars. A class archive can only contain classes from jars. */
     fun packClasses() {
         val jar = ToolProvider.findFirst("jar").orElseThrow()
         classPath = classPath.split(File.pathSeparator).mapIndexed { place, it ->
@@ -40,22 +39,20 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
         }.joinToString(File.pathSeparator)
     }
 
-    /** Starts [program], a main class and its arguments, in a Java machine with [options]. */
     fun start(program: List<String>, options: List<String> = emptyList()): Process {
         val java = listOf(File(System.getProperty("java.home"), "bin/java").path) + options
         return ProcessBuilder(java + listOf("-cp", classPath) + program).directory(folder.toFile())
             .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.appendTo(file(OUT).toFile())).start().also { processes += it }
     }
 
-    /** Starts the computer [name] of the fleet. */
     fun startComputer(name: String, options: List<String> = emptyList(), mas2j: String = MAS2J): Process =
         start(listOf("argo.fleet.MainKt", mas2j, "--at", name), options)
 
-    /** Returns the lines of the file [name], which agents write, as numbers; empty: there is no such file yet. */
+    /** Returns the numbers in each line of the file [name], which agents write. The list is empty if there is no file. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
         .map { line -> line.split(' ').map(String::toLong) }
 
-    /** @throws IllegalStateException if [condition] does not hold within [seconds], or no process runs any more */
+    /** @throws IllegalStateException if [condition] does not hold within [seconds], or if no process runs any more */
     fun await(seconds: Int, what: String, condition: () -> Boolean) {
         val end = System.nanoTime() + seconds * 1_000_000_000L
         while (!condition()) {
@@ -73,7 +70,6 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
         private const val OUT = "out.txt"
         private const val MAS2J = "bench.mas2j"
 
-        /** Returns the infrastructure of a fleet of [names], all on this computer. */
         fun fleetOf(names: List<String>): String =
             "Fleet(name(bench), hosts([${names.zip(freePorts(names.size)).joinToString { (name, port) -> "$name(\"127.0.0.1:$port\")" }}]))"
     }

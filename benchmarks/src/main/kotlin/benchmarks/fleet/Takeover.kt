@@ -7,8 +7,8 @@ private const val MAX_MS = 5000L
 private const val PATIENCE_S = 60
 
 /**
- * Measures the takeover of an agent that counts ten times a second and outlives its computer. Measures how long nobody counts after the
- * computer's process is killed, and how much of the count is lost.
+ * Measures the takeover of an agent that counts ten times per second and survives its computer. After the computer's process is killed,
+ * measures the time without counting and the lost part of the count.
  */
 internal fun takeovers(): Boolean {
     val names = listOf("one", "two", "three")

@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit
  * The topics and messages of a robot that counts.
  *
  * @property topic the topic with the numbers
- * @property message makes the message with a number
+ * @property message makes the message for a number
  * @property answers the topic of the commands
- * @property number finds the number in a command, by the text before it
+ * @property number finds the number in a command behind this text
  */
 internal class Counted(val topic: String, val answers: String, number: String, val message: (Int) -> String) {
     val number = Regex("$number: ?(\\d+)")
@@ -27,12 +27,12 @@ internal class Counted(val topic: String, val answers: String, number: String, v
 }
 
 /**
- * A bridge that publishes increasing numbers. Like rosbridge 0.11.17 with `queue_length` 1, it sends only the newest message once a
- * `throttle_rate`.
+ * A bridge that publishes increasing numbers. The bridge sends only the newest message in each `throttle_rate`, like rosbridge 0.11.17 with
+ * `queue_length` 1.
  *
- * @param number the bridge's TCP port; 0: a free one
- * @param hz how many numbers it publishes a second
- * @param published called with each number before the bridge publishes it
+ * @param number the TCP port of the bridge, or 0 for a free one
+ * @param hz the published numbers per second
+ * @param published called with each number before its publication
  */
 internal class CountingBridge(
     number: Int,
@@ -47,18 +47,17 @@ internal class CountingBridge(
     private var waiting: Int? = null
 
     @Volatile
-    private var throttleNanos: Long? = null // least time between messages; null: nobody subscribes
+    private var throttleNanos: Long? = null // the shortest time between messages, or null without a subscriber
     private var sentNanos = System.nanoTime()
 
     /** Called with the number in each command, on a thread of the bridge. */
     @Volatile
     var heard: (Int) -> Unit = { }
 
-    /** Whether the bridge publishes the next numbers by itself. */
+    /** True if the bridge publishes the next numbers by itself. */
     @Volatile
     var isCounting = true
 
-    /** The numbers in the commands so far, in the order of the commands. */
     val done = ConcurrentLinkedQueue<Int>()
 
     private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), number), 1) {

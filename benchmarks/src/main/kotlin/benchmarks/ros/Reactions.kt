@@ -8,27 +8,26 @@ import java.nio.file.Files
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 
-/** The argument that starts [reactingAgent] as a program. */
 internal const val REACTING_AGENT = "reacting-agent"
 
 private const val HZ = 50
 private const val ROUNDS = 12
-private const val UNCOUNTED = 6 // during these rounds, with 3,000 scans, Java compiles the code
+private const val UNCOUNTED = 6 // Java compiles the code during these rounds, which have 3,000 scans
 private const val ROUND_MS = 10_000L
 private const val LATE_MS = 500L
 
-/** Each message is a scan of 360 rays whose nearest distance is the number; a command has the number as its speed. */
+/** A scan of 360 rays. The nearest distance is the number, and a command has that number as its speed. */
 private val SCANS = Counted("/scan", "/cmd_vel", "\"linear\": ?\\{\"x\"") { number ->
     val ranges = List(360) { ray -> if (ray == 180) number else 1_000_000.125 + ray }
     """{"header":{"seq":$number,"frame_id":"laser"},"range_min":0.1,"range_max":30.0,"ranges":[${ranges.joinToString(",")}]}"""
 }
 
 /**
- * Measures the time from a scan until the bridge has the command that the scan causes, for an agent and for a client that uses roslibpy.
- * Each of the two is a process with its own bridge. They get scans in turn, 50 a second.
+ * Measures the time from a scan until the bridge has its command, for an agent and for a roslibpy client. Agent and client are processes,
+ * each with its own bridge. Agent and client get scans alternately, 50 per second.
  *
- * @param python a Python that has roslibpy
- * @return true if the agent's median and 99th percentile are at most the client's
+ * @param python a Python with roslibpy
+ * @return true if median and 99th percentile of the agent do not exceed those of the client
  */
 internal fun reactions(python: String): Boolean {
     val script = Files.createTempFile("argo-bench", ".py")
@@ -62,7 +61,7 @@ internal fun reactingAgent(number: Int): ByteArray = Agents().use {
     System.`in`.readAllBytes()
 }
 
-/** A program that reacts to scans, with its own bridge. [start] starts the program, and gets the bridge's port. */
+/** A program that reacts to scans, with its own bridge. [start] starts the program with the port of the bridge. */
 private class Reacting(private val name: String, start: (Int) -> Process) : AutoCloseable {
     private val published = ConcurrentHashMap<Int, Long>()
     private val nanos = ConcurrentLinkedQueue<Long>()

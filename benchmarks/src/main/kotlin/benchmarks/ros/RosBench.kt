@@ -16,14 +16,14 @@ private const val OFF_MS = 300L
 private const val WORK_MS = 100L
 
 /**
- * Measures the time from a scan to the command that it causes, compared with a client that uses roslibpy. Measures, at each of [rates], the
- * age of the messages on which an agent acts if it takes 100 ms for each. Also measures the time until an agent acts again after its bridge
- * has restarted. Prints the figures.
+ * Measures the time from a scan to its command, compared with a roslibpy client. At each of [rates], measures the age of the messages on
+ * which an agent acts. The agent takes 100 ms for each action. Also measures the time until an agent acts again after a restart of its
+ * bridge. Prints the figures.
  *
- * @param seconds for how long each rate is measured
- * @param python a Python that has roslibpy; null: there is none, and nothing is compared
- * @return true if the agent reacts at least as fast as the client, acts again after each restart, carries out no command twice, and leaves
- *   no thread or connection behind
+ * @param seconds the measuring time for each rate
+ * @param python a Python with roslibpy, or null to skip the comparison
+ * @return true if the agent is at least as fast as the client, acts after each restart, carries out no command twice, and leaves no thread
+ * or connection behind
  */
 fun ros(python: String?, seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
     println("robots behind ros://, ${machine()}:")
@@ -41,7 +41,7 @@ private fun program(number: Int) = """
 
 private fun ages(hz: Int, seconds: Int): String {
     val published = ConcurrentHashMap<Int, Long>()
-    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // each is a time, and the age of a message at this time
+    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // pairs of a time and the age of a message at that time
     acts.heard = { number, now, _ ->
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)
@@ -63,7 +63,7 @@ private fun ages(hz: Int, seconds: Int): String {
     )
 }
 
-/** Sleeps for [seconds] in steps of a millisecond. Returns by how many ns, at most, a step was too long. */
+/** Sleeps for [seconds] in steps of one ms. Returns the greatest delay of a step in ns. */
 private fun longestDelay(seconds: Int): Long {
     val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds.toLong())
     val times = generateSequence(System.nanoTime()) { System.nanoTime().also { Thread.sleep(1) } }.takeWhile { it < end }
@@ -111,7 +111,7 @@ private class Restarts {
     private companion object {
         const val RATE = 50
 
-        /** The least number of commands between two restarts. */
+        /** The smallest number of commands between two restarts. */
         const val COMMANDS = 20
     }
 }

@@ -3,11 +3,13 @@ package benchmarks.stops
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
 
-/** Runs an agent with [program] on the robot of [course], in virtual time. [program] opens the port `uno`. For one thread at a time. */
+/**
+ * Runs an agent with [program] on the robot of [course], in virtual time. [program] opens the port `uno`. Not safe for use by several
+ * threads at once.
+ */
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     val uno = UnoOnLine(course)
 
-    /** The robot, which exists once the port has been opened. */
     val robot: WatchedRobot
         get() = checkNotNull(uno.robotOrNull) { "the agent has not opened its port\n${agent.log.joinToString("\n")}" }
 

@@ -5,16 +5,16 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The use of a course's line.
+ * The traffic on a course's line.
  *
- * @property snapshotsPerSecond the number of snapshots a second of an agent that senses without an interval and does not act
- * @property snapshot the bytes of a snapshot: those of the request and of the answer
+ * @property snapshotsPerSecond the snapshots per second of an agent that senses without an interval and does not act
+ * @property snapshot the bytes of a request and its answer
  */
 internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
-    /** The time from the limit to the stop, in ms, if only the line takes time, and the sensors are read at the limit. */
+    /** The time in ms from the limit to the stop if only the line takes time. The sensors are read exactly at the limit. */
     val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
 
-    /** Like [shortestMs], but for sensors that are read just before the limit, and again in the next snapshot. */
+    /** The time of [shortestMs] if the sensors are read just before the limit, and again in the next snapshot. */
     val longestMs: Double get() = shortestMs + (snapshot.toBoard + snapshot.toComputer) * byteNanos / NANOS_PER_MS
 }
 
@@ -27,7 +27,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     }
     val acted = CourseRun(course, acts(course)).use { run ->
         run.agent.after(SETTLED)
-        val idle = run.trafficOf { } // the link also sends frames of its own now and then
+        val idle = run.trafficOf { } // the link also sends frames of its own
         run.trafficOf { run.agent.hears("bench", "achieve", "stop") } - idle
     }
     return LineFigures(
@@ -35,7 +35,6 @@ internal fun measureLine(course: StopCourse): LineFigures {
     )
 }
 
-/** Returns the bytes that are on the line during [COMMANDS] calls of [command]. */
 private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
     val before = uno.traffic
     repeat(COMMANDS) {

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * The computer's end of the line to the board [uno], which runs in the time of [clock]. In both directions, a byte takes as long as on a
- * real line. The board runs to the present at least once in the time of a byte, and before bytes are sent to it. It hands a byte over one
- * byte time before the byte arrives.
+ * The computer's end of the line to the board [uno], in the time of [clock]. A byte takes its real time in both directions. The board is
+ * advanced to the current time at least once per byte time, and before bytes are sent to it. The board delivers a byte one byte time before
+ * the byte arrives.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,
@@ -26,13 +26,13 @@ internal class SteppedLine(
     private var freeAt = clock.nanos()
     private var isClosed = false
     private var hangs = false
-    private var isArrivalNew = false // other callers than this line also run the board
+    private var isArrivalNew = false // other callers also advance the board
 
-    /** The bytes that were written to the line and read from the line. */
+    /** The bytes written to the line and read from it. */
     var traffic = Traffic(0, 0)
         private set
 
-    /** Called with all bytes that are written to the line. */
+    /** Called with all bytes written to the line. */
     var tap: (ByteArray) -> Unit = {}
 
     init {
@@ -56,7 +56,7 @@ internal class SteppedLine(
         clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
     }
 
-    /** Stops running the board, which then takes no bytes. From now on, [flood] arrives again and again; null: nothing arrives. */
+    /** The board stops and takes no more bytes. [flood] then arrives again and again, or nothing if it is null. */
     fun hang(flood: ByteArray?) = lock.withLock {
         hangs = true
         if (flood != null) repeatBytes(flood, 0)
@@ -140,7 +140,6 @@ internal class SteppedLine(
     }
 }
 
-/** The numbers of bytes on a line, to the board and to the computer. */
 internal data class Traffic(val toBoard: Int, val toComputer: Int) {
     operator fun plus(other: Traffic) = Traffic(toBoard + other.toBoard, toComputer + other.toComputer)
 

@@ -5,7 +5,8 @@ import java.nio.file.Path
 import java.util.Locale
 
 /**
- * A sketch on a simulated ATmega328P whose time advances only in [runTo]. Times are ns since power-on. For one thread at a time.
+ * A sketch on a simulated ATmega328P. The sketch's time advances only in [runTo]. Times are ns since power-on. Not safe for use by several
+ * threads at once.
  *
  * @param simulator the program of `javino-arduino/simulator`
  * @param sketch an `.elf` or `.hex` file
@@ -16,27 +17,25 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
     private val answers = process.inputReader()
     private var reached = 0L
 
-    /** Called with each byte from the board, and with the time at which the byte's last bit will arrive, at most a byte time later. */
+    /** Called with each byte from the board, and with the arrival time of its last bit. The time is at most one byte time ahead. */
     var sent: (Byte, Long) -> Unit = { _, _ -> }
 
-    /** Called at each change of a watched pin, with the pin, whether it is high now, and the time. */
+    /** Called at each change of a watched pin, with the pin, its new level and the time. */
     var changed: (Int, Boolean, Long) -> Unit = { _, _, _ -> }
 
-    /** Runs the sketch until [nanos], unless it has already reached this time. */
+    /** Runs the sketch until [nanos]. Does nothing if it is already there. */
     fun runTo(nanos: Long) {
         if (nanos <= reached) return
         reached = nanos
         command("run ${cycle(nanos)}")
     }
 
-    /** Sends [bytes] to the sketch, each in [byteNanos]. The first one begins at [atNanos], which must not be in the sketch's past. */
+    /** Sends [bytes] to the sketch, each in [byteNanos]. The first byte starts at [atNanos], which must not be before the sketch's time. */
     fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
         command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
 
-    /** Applies a voltage to the analogue input [input], such as `A0`. */
     fun setMillivolts(input: String, millivolts: Int) = command("set $input $millivolts")
 
-    /** Reports changes of [pin] from now on. */
     fun watch(pin: Int) {
         write("watch $pin")
         read()

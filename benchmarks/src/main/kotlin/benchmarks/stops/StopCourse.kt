@@ -8,17 +8,16 @@ import kotlin.io.path.toPath
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.microseconds
 
-/** A sketch of `javino-arduino/bench`. */
 internal enum class Firmware(val sketch: String) {
     LIBRARY("Stops"),
     FIELD("FieldStops"),
 }
 
 /**
- * The robot, the line and the agent of a measurement.
+ * The robot, the line and the agent of one measurement.
  *
- * @property loopMs the time of each `loop()` of the sketch without the library's work, in ms
- * @property cycleTime the time of a reasoning cycle of the agent
+ * @property loopMs the time of each `loop()` in ms, without the library's work
+ * @property cycleTime the time of a reasoning cycle
  */
 internal data class StopCourse(
     val baud: Int,
@@ -44,7 +43,7 @@ internal data class StopCourse(
 /** The default time of a reasoning cycle in the benches of stops and boards. */
 internal val CYCLE_TIME = 100.microseconds
 
-/** The files for the bench of stops, which `make bench` in `javino-arduino` builds. */
+/** The files for the bench of stops. `make bench` in `javino-arduino` builds them. */
 internal object Bench {
     private val home: Path = generateSequence(Bench::class.java.protectionDomain.codeSource.location.toURI().toPath()) { it.parent }
         .firstOrNull { it.resolve("javino-arduino").isDirectory() } ?: Path.of("")
@@ -53,7 +52,7 @@ internal object Bench {
 
     val agents: Path = home.resolve("experiment/agent")
 
-    /** Returns the path of the compiled sketch, which may not exist. */
+    /** Returns the path of the compiled sketch. The file may be missing. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }

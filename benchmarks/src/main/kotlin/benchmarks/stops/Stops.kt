@@ -9,12 +9,12 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * The stops of a course.
  *
- * @property responses the times from the limit to the stop, in ns, in their order
- * @property rests the times from the limit until the robot had stopped for good, in ns. Such a time is longer than the response if an
- * earlier command `front` made the robot drive again after a reflex.
- * @property worst the timeline of line and board for the longest response, in ms after the limit
- * @property commands the number of commands that the sketch has carried out
- * @property sent the number of commands that were sent in version 1; in version 2 they are not counted
+ * @property responses the times from the limit to the stop in ns, in order
+ * @property rests the times from the limit to the final stop, in ns. The time is longer than the response if an earlier command `front`
+ * restarts the robot after a reflex
+ * @property worst the timeline of the longest response, in ms after the limit
+ * @property commands the number of commands that the sketch carried out
+ * @property sent the number of commands sent in version 1; version 2 does not count them
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,
@@ -22,10 +22,10 @@ internal class Stops(
     val distribution = Distribution(responses.toLongArray())
 }
 
-/** Makes the published agent stop the robot of [course], [stops] times. The phases between robot, line and agent depend on [seed]. */
+/** The published agent stops the robot of [course] [stops] times. [seed] determines the phases between robot, line and agent. */
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
-    run.awaitStop() // the first stop does not count: line and agent are not in step
+    run.awaitStop() // the first stop does not count, since line and agent are not yet in step
     run.rest(course.shortWay)
     val made = List(stops) { run.stop(course.shortWay, random) }
     run.agent.hears("bench", "achieve", "rest").after(QUIET)
@@ -42,7 +42,7 @@ private fun publishedAgent(course: StopCourse) = """
 
 private class Stop(val response: Long, val rest: Long, val timeline: String)
 
-/** Puts the robot back and makes the agent drive it to the limit again. */
+/** Puts the robot back, and makes the agent drive it to the limit again. */
 private fun CourseRun.stop(way: Int, random: Random): Stop {
     val millimetres = WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way)
     val late = random.nextLong(WatchedRobot.MILLIMETRE_NANOS)
@@ -58,7 +58,7 @@ private fun CourseRun.stop(way: Int, random: Random): Stop {
     return Stop(checkNotNull(robot.stoppedAt) - crossedAt, checkNotNull(robot.restsSince) - crossedAt, events)
 }
 
-/** Waits until the agent itself has stopped the robot, which a reflex may have stopped before. */
+/** Waits until the agent itself has stopped the robot. A reflex may have stopped it before. */
 private fun CourseRun.rest(way: Int) {
     agent.shouldBelieve("status(stopped)", within = PATIENCE)
     agent.after(timeFor(way))
@@ -74,7 +74,7 @@ private fun CourseRun.awaitStop() {
     } while (robot.stoppedAt == null)
 }
 
-/** The shortest way of the robot to the limit, in mm. It is longer with a slower line, which takes longer to get in step. */
+/** The shortest way of the robot to the limit, in mm. A slower line takes longer to get in step, so the way is longer. */
 private val StopCourse.shortWay get() = 10 + 400_000 / baud
 
 private fun timeFor(way: Int) = (way * WatchedRobot.MILLIMETRE_NANOS).nanoseconds

@@ -21,9 +21,9 @@ private val COURSES = buildList {
 }
 
 /**
- * Makes the published agent stop a simulated robot before a wall, on each course. Prints how long after the limit the robot stopped. Writes
- * the timeline of each course's worst stop to [timelines]. Time is virtual, so the figures do not depend on the machine. Returns false if
- * the firmware has not been built.
+ * The published agent stops a simulated robot in front of a wall, on each course. Prints the time from the limit to the stop. Writes the
+ * timeline of each course's worst stop to [timelines]. Virtual time makes the figures independent of the machine. Returns false if the
+ * firmware has not been built.
  */
 fun stops(timelines: File): Boolean {
     if (!Bench.isBuilt(COURSES)) {

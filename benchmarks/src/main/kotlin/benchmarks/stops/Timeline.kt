@@ -2,7 +2,7 @@ package benchmarks.stops
 
 import benchmarks.figures
 
-/** Collects the events on a line and on its board for a text. Bytes of one sender without a gap between them are one entry. */
+/** Collects the events of a line and its board as text. Consecutive bytes of one sender form one entry. */
 internal class Timeline(private val byteNanos: Long) {
     private class Entry(val what: String, val fromNanos: Long, var toNanos: Long, var bytes: Int)
 
@@ -10,12 +10,10 @@ internal class Timeline(private val byteNanos: Long) {
 
     fun clear() = entries.clear()
 
-    /** Notes that the board did [what] at [nanos]. */
     fun add(what: String, nanos: Long) {
         entries += Entry(what, nanos, nanos, 0)
     }
 
-    /** Notes that [sender] has sent a byte whose last bit arrives at [nanos]. */
     fun addByte(sender: String, nanos: Long) {
         val last = entries.lastOrNull { it.what == sender }
         if (last == null || nanos - last.toNanos > byteNanos * 3 / 2) {
@@ -26,7 +24,7 @@ internal class Timeline(private val byteNanos: Long) {
         }
     }
 
-    /** Returns all events as lines of text, with times in ms after [nanos]. */
+    /** Returns all events as text lines. Times are in ms after [nanos]. */
     fun since(nanos: Long): String = entries.sortedBy { it.fromNanos }.joinToString("") { entry ->
         val from = (entry.fromNanos - nanos) / NANOS_PER_MS
         val to = (entry.toNanos - nanos) / NANOS_PER_MS

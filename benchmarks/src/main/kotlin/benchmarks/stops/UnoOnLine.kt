@@ -6,18 +6,17 @@ import javino.LineSettings
 import javino.PerceptsRequest
 import java.util.concurrent.atomic.AtomicInteger
 
-/** The board and the robot of [course], on a line that an agent opens. For one thread at a time. */
+/** The board and the robot of [course], on a line that an agent opens. Not safe for use by several threads at once. */
 internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     private val uno = SteppedUno(Bench.simulator, course.elf)
     private var line: SteppedLine? = null
 
     val timeline = Timeline(LineSettings(course.baud).byteNanos())
 
-    /** The robot; null: the port has never been opened. */
+    /** The robot, or null before the port is opened. */
     var robotOrNull: WatchedRobot? = null
         private set
 
-    /** The number of commands sent to the board in version 1. */
     var sent = 0
         private set
 
@@ -37,7 +36,6 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
 
     fun hangs() = requireLine().hang(null)
 
-    /** Stops the board, and sends [message] again and again in its place, without a pause. */
     fun floods(message: ByteArray) = requireLine().hang(message)
 
     private fun requireLine() = checkNotNull(line) { "its port has not been opened" }
@@ -45,7 +43,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     override fun close() = uno.close()
 
     private companion object {
-        /** Numbers the lines, so that each has its own name. Links remember used numbers by that name, so each run is like the first. */
+        /** Gives each line its own name. Links store used numbers under that name. With a new name, each run starts like the first. */
         val lines = AtomicInteger()
     }
 }

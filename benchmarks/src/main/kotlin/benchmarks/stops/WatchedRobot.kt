@@ -4,7 +4,7 @@ import javino.LineClock
 
 /**
  * The robot that the sketch `Stops` or `FieldStops` on [uno] drives, in the time of [clock]. The robot drives towards a wall at 10 cm/s
- * while the sketch's pin is high. Its front sensor gives 1 mV for each mm from the wall.
+ * while the sketch's pin is high. The robot's front sensor gives 1 mV per mm of distance.
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
@@ -12,15 +12,15 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
-    /** The time at which the sensor first showed the limit or less, in ns; null: not yet since the robot was [placed][place]. */
+    /** The time in ns at which the sensor first showed the limit or less. Null if that has not happened since [place]. */
     var crossedAt: Long? = null
         private set
 
-    /** The time of the robot's first stop after [crossedAt], in ns; null: it has not stopped yet. */
+    /** The time in ns of the first stop after [crossedAt], or null before that. */
     var stoppedAt: Long? = null
         private set
 
-    /** The time of the robot's last stop after [crossedAt], in ns; null: it has not stopped yet since it was [placed][place]. */
+    /** The time in ns of the last stop after [crossedAt]. Null if the robot has not stopped since [place]. */
     var restsSince: Long? = null
         private set
 
@@ -37,8 +37,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places the robot [millimetres] from the wall. [departure] gets the time at which the robot drives off, in ns, and returns the time at
-     * which its first millimetre begins.
+     * Places the robot [millimetres] from the wall. [departure] maps the time at which the robot drives off to the time at which its first
+     * millimetre begins, both in ns.
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres
@@ -57,7 +57,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // the first low level is no edge: it only makes the pin an output
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // the first low level only makes the pin an output, and is no edge
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)
@@ -98,7 +98,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         private const val LOOKED = 10
         private const val STARTED = 11
 
-        /** Returns the voltage as the sketch reads it at its analogue input: in mV, with a resolution of ten bits of 5 V. */
+        /** Returns the voltage in mV as the sketch reads it, with ten bits for 5 V. */
         private fun seen(millivolts: Int) = millivolts * 1023 / 5000 * 5000 / 1023
     }
 }

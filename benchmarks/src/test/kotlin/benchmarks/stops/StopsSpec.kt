@@ -8,7 +8,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 
-/** `./argo bench stops` with fewer stops. Its figures are the same on every machine, so they have limits. */
+/** Runs `./argo bench stops` with fewer stops. The figures are equal on every machine, so they have limits. */
 class StopsSpec : FunSpec({
     val built: EnabledOrReasonIf = {
         if (Bench.isBuilt(LIMITS.keys)) Enabled.enabled else Enabled.disabled("there are no robots: ./argo firmware says what they need")
@@ -34,7 +34,7 @@ private const val STOPS = 5
 private const val SEED = 1L
 private val FAST = StopCourse(115_200)
 
-/** The bounds of the longest stop of each course, in ms: up to a third more than measured. */
+/** The upper bounds for the longest stop of each course in ms. The bounds are up to a third above the measured values. */
 private val LIMITS = mapOf(
     StopCourse(9_600) to 150.0,
     FAST to 40.0,
