@@ -1,9 +1,12 @@
-/* Drives towards a wall and stops in front of it: the agent of the case study in C. E. Pantoja et al., EMAS 2016, Figure 7, with these
-   differences. Port, interval, limit and filter are beliefs. It says when it has stopped. For light of at most 100 it switches the lamp off,
-   where both published plans (lines 30 to 34) switch it on. The plans for failures, +trouble and +!halt are added.
+/* Drives towards a wall and stops in front of it. This is the agent of the case study in C. E. Pantoja et al., EMAS 2016, Figure 7, with
+   four differences:
+     - Port, interval, limit and filter are beliefs.
+     - It adds the belief status(stopped) when it has stopped.
+     - It switches the lamp off for light of at most 100. Both published plans (lines 30 to 34) switch it on.
+     - The plans for failures, +trouble and +!halt are new.
 
    Its initial beliefs are in the .mas2j, or come from the experiment:
-     board(Port, Options)   where the robot is
+     board(Port, Options)   the port of the robot
      value(Cm)              the front distance at which it stops
      interval(Ms)           the sensing interval
      view(Filter)           none, or a filter of filters/ or ReflexFilters.kt */
@@ -34,7 +37,7 @@
     .act(stop);
     -+status(stopped).
 
--!moving[error(port_gone), error_msg(Why)] <- +trouble(Why). // the published agent would try for ever
+-!moving[error(port_gone), error_msg(Why)] <- +trouble(Why). // the published agent would try again for ever
 -!moving <- !!moving.
 
 /* Plans: lamps */
@@ -44,12 +47,12 @@
 +temp(X, Y) : Y > 25  <- .act(ledTempOff).
 +temp(X, Y) : Y <= 25 <- .act(ledTempOn).
 
-/* Plans: when something goes wrong */
+/* Plans: failures */
 
 -!config[error_msg(Why)] <- +trouble(Why).
 +trouble(Why) <- .print(Why).
 
-+!halt <- // the program that runs the agent gives it up
++!halt <- // called by the program that runs the agent
     .drop_desire(config);
     .drop_desire(moving);
     .act(stop);

@@ -1,8 +1,8 @@
-/* Senses and acts, and passes each percept on to the agent that reasons on it, as the body of the sample delegation. The experiment on
-   delegation gives it
+/* Senses and acts. Sends each percept to the agent that reasons about it, like the body of the sample delegation.
+   The experiment on delegation adds these beliefs:
      boards(Ports)            its boards, as for argo.ports
      interval(Ms)             the sensing interval
-     reasons_on(Kind, Agent)  who reasons on percepts of this kind */
+     reasons_on(Kind, Agent)  the agent that reasons about percepts of this kind */
 
 !open.
 

@@ -1,7 +1,7 @@
-/* Senses, reasons and acts: one agent with all sensors, or an agent with those of one kind. The experiment on delegation gives it
+/* Senses, reasons and acts, with all sensors or with those of one kind.
+   The experiment on delegation adds plans for each kind of percept, and these beliefs:
      boards(Ports)   its boards, as for argo.ports
-     interval(Ms)    the sensing interval
-   and plans for each kind of percept. */
+     interval(Ms)    the sensing interval */
 
 !open.
 

@@ -13,13 +13,13 @@ import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
 
 /**
- * An agent that is about to be created.
+ * An agent to create.
  *
- * @property program the file with the agent's program, in the folder `agent`
- * @property isArgo true: it is an ARGO agent with these [options], as in a `.mas2j`; false: it is a common Jason agent
- * @property beliefs its initial beliefs, in addition to those of its program
- * @property plans its further plans, which come after those of its program
- * @property witnesses the architectures that are put in front of its own
+ * @property program the file of the program in the folder `agent`
+ * @property isArgo true for an ARGO agent with these [options], as in a `.mas2j`; false for a common Jason agent
+ * @property beliefs initial beliefs beside those of the program
+ * @property plans plans behind those of the program
+ * @property witnesses architectures in front of its own
  */
 internal class Newcomer(
     val name: String,
@@ -32,8 +32,8 @@ internal class Newcomer(
 )
 
 /**
- * Runs one Jason, with agents that come and go. A program can run only one, since Jason keeps it in a static field. Safe for use by several
- * threads.
+ * Runs one Jason. Agents are started and ended while it runs. A program can run only one Jason, since Jason stores it in a static field.
+ * Safe for use by several threads.
  */
 internal class AgentHost : RunLocalMAS() {
     private val services = LocalRuntimeServices(this)
@@ -48,7 +48,6 @@ internal class AgentHost : RunLocalMAS() {
         start()
     }
 
-    /** Creates and starts the agent `robot` of [trial], whose robot is on [port]. */
     fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch = begin(
         Newcomer(
             trial.id, "robot.asl", options = mapOf("argo_sensing" to trial.condition.sensing), beliefs = beliefs(trial, port),
@@ -56,7 +55,6 @@ internal class AgentHost : RunLocalMAS() {
         ),
     )
 
-    /** Creates and starts [newcomer]. */
     fun begin(newcomer: Newcomer): LocalAgArch {
         val source = checkNotNull(javaClass.getResource("/experiment/${newcomer.program}")) { "there is no ${newcomer.program}" }
         val settings = AgentSettings().apply { newcomer.options.forEach(::addOption) }
@@ -78,7 +76,7 @@ internal class AgentHost : RunLocalMAS() {
         return others.map(ASSyntax::parseLiteral) + createLiteral("board", createString(port), parseTerm("$options"))
     }
 
-    /** Ends [agent], and thereby closes its port. Waits until its thread has ended, but logs a warning and returns after [END_LIMIT_MS]. */
+    /** Ends [agent], which closes its port. Waits for the end of its thread. After [END_LIMIT_MS], logs a warning and returns. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
@@ -86,7 +84,7 @@ internal class AgentHost : RunLocalMAS() {
         delAg(agent.agName)
     }
 
-    /** Ignores `.stopMAS`, by which one agent would also end the others. */
+    /** Ignores `.stopMAS`, which would end all agents. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) = Unit
 
     private companion object {

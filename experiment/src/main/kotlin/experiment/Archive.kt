@@ -15,25 +15,25 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * The settings of an experiment, for all of its runs. They must be the same when the experiment is continued.
+ * The settings for all runs of an experiment. The settings must not change when the experiment is continued.
  *
- * @property seed the seed for the order of the runs, and for random numbers in them
- * @property slowdown the factor by which the agents reason more slowly than this computer
+ * @property seed the seed for the order of the runs and for random numbers in them
+ * @property slowdown the factor by which the agents reason slower than this computer
  * @property computer the origin of [slowdown], in words
- * @property port the port of a real robot; null for simulated robots
+ * @property port the port of a real robot, or null for simulated robots
  */
 @Serializable
 internal data class Settings<P>(val plan: P, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
 
-/** An experiment cannot be continued; [message] tells the reason and the remedy. */
+/** An experiment cannot be continued; [message] gives the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)
 
 /**
- * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close], no other
- * experiment can open it.
+ * The directory of an experiment, with its settings in `settings.json` and its records in `runs/`. From [open] to [close], no other
+ * experiment can use it.
  *
  * @param plans the serializer of the plan in `settings.json`
- * @param read reads the finished run from the file of its record; null: the record is incomplete, so the run has to be made again
+ * @param read reads a finished run from its record, or returns null if the record is incomplete and the run must be repeated
  */
 internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, private val read: (Path) -> R?) : AutoCloseable {
     private val form = Settings.serializer(plans)
@@ -42,7 +42,7 @@ internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, p
     private var claim: FileChannel? = null
 
     /**
-     * Returns the settings of the experiment in this directory; null: there is none.
+     * Returns the settings of the experiment in this directory, or null if there is none.
      *
      * @throws ContinuationException if they cannot be read
      */
@@ -59,9 +59,9 @@ internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, p
     }
 
     /**
-     * Begins an experiment with the settings [asked], or continues the experiment in this directory.
+     * Starts an experiment with the settings [asked], or continues the experiment in this directory.
      *
-     * @throws ContinuationException if the experiment in this directory has other settings, or is being made by another program
+     * @throws ContinuationException if the experiment has other settings, or if another program runs it
      * @throws IOException if the directory cannot be written to
      */
     fun open(asked: Settings<P>) {
@@ -97,31 +97,28 @@ internal class Archive<P, R : Any>(val directory: Path, plans: KSerializer<P>, p
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Returns the file for the record of the run [id]. The file may not exist yet. */
     fun file(id: String): Path = runs.resolve("$id.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
 
-    /** Returns the finished runs, in no particular order. */
     fun finished(): List<R> = records().mapNotNull(read)
 
-    /** Returns the number of incomplete records. */
     fun unusable(): Int = records().size - finished().size
 }
 
 /**
- * Locks the [directory] of an experiment, and returns a channel that keeps the lock until it is closed. The operating system also ends the
- * lock when the program ends in any way.
+ * Locks the [directory] of an experiment. The lock lasts until the returned channel is closed. The operating system also releases the lock
+ * when the program ends.
  *
- * @throws ContinuationException if another experiment has the lock
+ * @throws ContinuationException if another experiment holds the lock
  */
 private fun claim(directory: Path): FileChannel {
-    // No other code may open this file: closing it there would end the lock.
+    // No other code may open this file, since closing it would release the lock.
     val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
     val lock = try {
         channel.tryLock()
     } catch (_: OverlappingFileLockException) {
-        null // another experiment of this program has the lock
+        null // another experiment of this program holds the lock
     }
     if (lock != null) return channel
     channel.close()

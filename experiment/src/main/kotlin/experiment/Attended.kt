@@ -9,8 +9,8 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 
 /**
- * Does [work]. Its parameter `show` writes a line of progress. The log of Jason, ARGO and the agents goes to `log.txt` in [directory]. On
- * Ctrl-C, tells [given] that the experiment is aborted.
+ * Does [work]. The parameter `show` of [work] writes a line of progress. The log of Jason, ARGO and the agents is written to `log.txt` in
+ * [directory]. Ctrl-C aborts the experiment through [given].
  */
 internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<String>) -> Unit, punctuality: Punctuality) -> T): T {
     val progress = Progress.onStandardOutput()
@@ -27,11 +27,11 @@ internal fun <T> attended(directory: Path, given: GivenUp, work: (show: (List<St
     }
 }
 
-/** Describes this machine for a report, after the words [atOnce] for the number of runs at once. */
+/** Describes this machine for a report. [atOnce] is the number of simultaneous runs, in words. */
 internal fun machine(atOnce: String): String =
     listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
         .let { "$atOnce on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
-/** Returns the version and the commit of ARGO. Without a jar, the property `argo.build` contains them. */
+/** Returns the version and the commit of ARGO. A program without a jar takes them from the property `argo.build`. */
 internal fun build(): String =
     System.getProperty("argo.build") ?: Punctuality::class.java.`package`.implementationVersion ?: "of an unknown version"

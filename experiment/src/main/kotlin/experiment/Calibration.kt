@@ -5,17 +5,17 @@ import java.util.Locale
 import kotlin.math.sqrt
 
 /**
- * Compares the speed of this computer with that of a single-board computer of 2016. Both do the work of `sysbench cpu`: they count the
- * primes up to 10,000 by trial division.
+ * Compares the speed of this computer with that of a single-board computer of 2016. The two computers do the work of `sysbench cpu`: they
+ * count primes up to 10,000 by trial division.
  *
- * This compares only integer division by compiled code in one thread, not caches and memory. So the factor is an assumption: the report
- * states it, and the user can set it.
+ * The work compares integer division in compiled code of one thread. Caches and memory are not compared. The factor is therefore an
+ * assumption. The report states it, and the user can set it.
  */
 internal object Calibration {
     /**
-     * Events a second of a Raspberry Pi 3 Model B (February 2016, Cortex-A53 at 1.2 GHz). The published figure is 687.45 for the 3 Model
-     * B+, the same core at 1.4 GHz, one thread, sysbench 1.0.20 (https://leoncode.co.uk/articles/raspberry-pi-benchmarks). This constant is
-     * 1.2 / 1.4 of that figure.
+     * Events per second of a Raspberry Pi 3 Model B (February 2016, Cortex-A53 at 1.2 GHz). The published figure is 687.45 for the 3 Model
+     * B+, which has the core at 1.4 GHz (one thread, sysbench 1.0.20, https://leoncode.co.uk/articles/raspberry-pi-benchmarks). The
+     * constant is 1.2 / 1.4 of the published figure.
      */
     const val REFERENCE_EVENTS_PER_S = 589.2
 
@@ -36,8 +36,8 @@ internal object Calibration {
     }
 
     /**
-     * Measures the events a second of this computer in 1.5 s. The best of some rounds counts, since other programs can only slow this one
-     * down. [nanoTime] returns the processor time of the calling thread, in ns.
+     * Measures the events per second of this computer for 1.5 s. The best of several rounds counts, since other programs can only slow this
+     * one down. [nanoTime] returns the processor time of the calling thread, in ns.
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()
@@ -51,11 +51,11 @@ internal object Calibration {
 
     private const val PRIMES = 1229
 
-    /** Returns by which factor a computer with [eventsPerSecond] is faster than the reference; 1 if it is not faster. */
+    /** Returns the factor by which a computer with [eventsPerSecond] is faster than the reference, but at least 1. */
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 
-    /** Returns the factor and its origin, in words. If the user has [asked] for no factor, measures it. */
+    /** Returns the factor and its origin in words. Measures the factor if the user has not [asked] for one. */
     fun slowdown(asked: Double?): Pair<Double, String> =
         if (asked != null) asked to "set with --slowdown" else eventsPerSecond().let { slowdown(it) to words(it) }
 

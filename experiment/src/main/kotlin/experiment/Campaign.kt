@@ -3,32 +3,30 @@ package experiment
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Makes the runs [T] of an experiment into finished runs [R]. Several threads may call these functions. */
+/** Makes the runs [T] of an experiment, and turns them into finished runs [R]. Safe for use by several threads. */
 internal interface Runs<T, R : Any> {
-    /** Returns the finished runs, which are not made again. */
     fun finished(): Map<T, R>
 
     /**
-     * Makes [run], and keeps its record. Returns null if [given] tells that the experiment is aborted.
+     * Makes [run] and stores its record. Returns null if [given] has aborted the experiment.
      *
      * @throws java.io.IOException if the record cannot be written
      */
     fun make(run: T, given: GivenUp): R?
 
-    /** Returns true if this machine was too late for its own simulation in the finished run [made]. */
+    /** Returns true if this machine was too slow for its own simulation in the finished run [made]. */
     fun isLate(made: R): Boolean
 
-    /** Estimates the time of [run], in ms. */
     fun expectedMs(run: T): Long
 
-    /** Returns facts about the finished runs [over], for the line of progress. */
     fun facts(over: Collection<R>): List<String> = emptyList()
 }
 
 /**
- * Makes the missing [runs] of an experiment in their order, [jobs] of them at a time.
+ * Makes the missing [runs] of an experiment in order, with [jobs] at a time.
  *
- * A run is repeated if this machine was too late for its own simulation, see [punctual]. The last try counts, and its record has the delay.
+ * A run is repeated if this machine was too slow for its own simulation; [punctual] decides. The last try counts. The record of a run
+ * contains the delay.
  */
 internal class Campaign<T, R : Any>(
     private val runs: Runs<T, R>,
@@ -37,13 +35,13 @@ internal class Campaign<T, R : Any>(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * The progress: [done] of [all] runs are over, and [facts] are about these. The other runs will take about [left] ms; 0: all have
-     * begun. Runs were repeated [repeated] times because this machine was late; [left] allows for further repetitions.
+     * The progress. [done] of [all] runs have ended, with these [facts]. The other runs will take about [left] ms. 0 means that all have
+     * started. [repeated] counts the repetitions because of a slow machine. [left] includes expected repetitions.
      */
     internal data class Status(
         val done: Int, val all: Int, val left: Long, val repeated: Int = 0, val facts: List<String> = emptyList(),
     ) {
-        /** The facts for a line of progress. The time left is in whole minutes, since [left] is only an estimate. */
+        /** The parts of the line of progress. The remaining time is in whole minutes, since [left] is an estimate. */
         val words: List<String> get() =
             listOf("run $done of $all") + facts + listOfNotNull("$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
 
@@ -58,13 +56,12 @@ internal class Campaign<T, R : Any>(
 
     private val repeated = AtomicInteger()
 
-    /** The number of runs that were repeated because the machine was late. */
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes those of [all] runs that are missing, and returns all finished runs. Ends early if the experiment is aborted.
+     * Makes the missing ones of [all] runs, and returns all finished runs. Ends early if the experiment is aborted.
      *
-     * @throws java.io.IOException if a record cannot be written; the experiment is then aborted
+     * @throws java.io.IOException if a record cannot be written. The experiment is then aborted
      */
     fun run(all: List<T>): List<R> {
         val finished = runs.finished()
@@ -86,7 +83,7 @@ internal class Campaign<T, R : Any>(
     private companion object {
         const val MINUTE_MS = 60_000L
 
-        /** The longest time of a run that does not fail, in any experiment, in ms. */
+        /** The longest duration of a successful run in any experiment, in ms. */
         const val LONGEST_MS = 21_000L
     }
 }

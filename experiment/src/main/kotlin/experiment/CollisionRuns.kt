@@ -3,7 +3,6 @@ package experiment
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
-/** Returns the archive of the collision experiment in [directory]. */
 internal fun collisionArchive(directory: Path): Archive<Plan, Finished> = Archive(directory, Plan.serializer(), ::finishedIn)
 
 private fun finishedIn(file: Path): Finished? {
@@ -12,7 +11,7 @@ private fun finishedIn(file: Path): Finished? {
     return if (trial.id == file.nameWithoutExtension) Finished(trial, record.last() as Entry.Result) else null
 }
 
-/** The runs of the collision experiment with these [settings]. [laboratory] makes the runs, and [archive] keeps their records. */
+/** The runs of the collision experiment with these [settings]. [laboratory] makes the runs. [archive] stores their records. */
 internal class CollisionRuns(
     private val archive: Archive<Plan, Finished>, private val settings: Settings<Plan>, private val laboratory: Laboratory,
 ) : Runs<Trial, Finished> {
@@ -25,7 +24,7 @@ internal class CollisionRuns(
 
     override fun isLate(made: Finished) = made.isLate
 
-    /** Estimates the time until the robot is a little beyond the limit, or at the wall if a collision is expected. */
+    /** Estimates the time until the robot is a little past the limit. If a collision is expected, estimates the time until the wall. */
     override fun expectedMs(run: Trial): Long {
         val hits = run.condition == Condition.PUBLISHED && run.view == View.NONE
         return 1_000L + (200 - if (hits) 0 else run.limit) * 100L

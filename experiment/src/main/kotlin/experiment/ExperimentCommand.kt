@@ -54,7 +54,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
         }
     }
 
-    /** Asks the robot on [port] for its percepts, so that a wrong port or robot is refused before a user has to move a robot. */
+    /** Asks the robot on [port] for percepts. A wrong port or robot is then refused before the user moves a robot. */
     private fun tryRobot(port: String) {
         val answer = try {
             Link.open(port, LinkSettings.defaults(), "the experiment").use(::firstSight)
@@ -67,7 +67,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
         println("the robot on $port answers: $answer")
     }
 
-    /** Returns the robot's first answer with the front distance, for which a sensor may need time; if none has it, the last answer. */
+    /** Returns the robot's first answer with a front distance, since a sensor may need time. If no answer has it, returns the last one. */
     private fun firstSight(robot: Link): String {
         var answer = ""
         for (attempt in 1..MAX_REQUESTS) {
@@ -80,7 +80,7 @@ internal class ExperimentCommand : RunsCommand<Plan, Trial, Finished>(Plan.entri
 
     override fun archive(directory: Path) = collisionArchive(directory)
 
-    /** Returns the published runs in random order, and then the runs with more sensors and other lines, in random order too. */
+    /** Returns the published runs in random order, and then the runs with more sensors and other lines in random order. */
     override fun all(settings: Settings<Plan>): List<Trial> = randomised(conditions.flatMap(settings.plan::trials), settings.seed) +
         if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
 

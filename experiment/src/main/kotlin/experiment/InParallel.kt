@@ -5,14 +5,14 @@ import java.util.concurrent.Executors
 import java.util.concurrent.Future
 
 /**
- * Does [work] on [jobs] threads at once, and returns when all of them have ended. If [work] fails on one thread, aborts the experiment, so
- * that the other threads end soon, and throws the failure.
+ * Does [work] on [jobs] threads, and returns when all have ended. If [work] fails on one thread, aborts the experiment so that the others
+ * end soon. Then throws the failure.
  */
 internal fun inParallel(jobs: Int, given: GivenUp, work: () -> Unit) {
     val pool = Executors.newFixedThreadPool(jobs)
     val workers = List(jobs) { pool.submit { work(given, work) } }
     pool.shutdown()
-    workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only when all workers have ended
+    workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only after the end of all workers
 }
 
 private fun failure(worker: Future<*>): Throwable? = try {
@@ -28,6 +28,6 @@ private fun work(given: GivenUp, work: () -> Unit) {
         work()
         isDone = true
     } finally {
-        if (!isDone) given.giveUp() // or the failure would be reported only when all runs are made
+        if (!isDone) given.giveUp() // reports the failure before all runs are made
     }
 }

@@ -13,17 +13,20 @@ import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** Returns the time limit for an answer: three times the longest answer, at least a second. In version 2 the first one is longest. */
+/**
+ * Returns the time limit for an answer: three times the longest answer, but at least a second. In version 2, the first answer is the
+ * longest.
+ */
 internal fun answerLimitMs(trial: Trial): Int =
     maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 
 /**
- * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers only with the percepts that the filter
- * keeps, as texts that the computer already knows.
+ * Returns the line time of a request and its whole answer, in ns. A version 2 board answers only with percepts that the filter keeps. The
+ * computer already knows their texts.
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
-/** Returns the bytes of a request and its answer. In version 2 the computer already knows the texts of [known] percepts. */
+/** Returns the bytes of a request and its answer. In version 2, the computer already knows the texts of [known] percepts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }
     if (!trial.condition.isVersion2) {
@@ -34,7 +37,7 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     val asked = trial.view.functors
     val texts = all.filter { asked == null || it.substringBefore('(') in asked }
     val writer = PerceptWriter(MAX_KNOWN)
-    writer.items(texts, 0) // after this, the writer knows the shapes of the texts
+    writer.items(texts, 0) // the writer now knows the shapes of the texts
     val items = writer.items(texts, known)
     val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
     val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())
@@ -44,10 +47,10 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
 private const val MAX_KNOWN = 126
 
 /**
- * Returns the worst-case delay that line and sensors cause for any program, in ns: from crossing the limit to the effect of `stop`. It adds
- * up four delays. Noise delays the reading below the limit. An exchange without this reading has just begun; the next one begins at its
- * end, or at that of the sensing interval. That next exchange brings the reading. The command follows. A board that stops the robot itself
- * reads its sensors within 5 ms, or after its present frame.
+ * Returns the worst delay that line and sensors cause for any program, in ns. The delay is the time from crossing the limit to the effect
+ * of `stop`. Four delays add up. First, noise delays the reading below the limit. Second, an exchange has just started without this
+ * reading. The next exchange starts at its end, or at the end of the sensing interval. Third, that exchange brings the reading. Fourth, the
+ * command is sent. If the board itself stops the robot, it reads its sensors within 5 ms or after its current frame.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
@@ -56,18 +59,17 @@ internal fun leastStopNanos(trial: Trial): Long {
     return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + stopBytes(trial) * byteNanos(trial)
 }
 
-/** The interval at which a board compares its sensors with its rules, in ns. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The longest frame in an answer of a board that watches rules. Its payload begins with the numbers of request and part. */
+/** The longest answer frame of a board that checks rules. The payload starts with the numbers of request and part. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
-/** Returns true if the limit leaves enough time to stop: at least [leastStopNanos]. */
+/** Returns true if the limit leaves at least [leastStopNanos] to stop. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
-/** Returns the number of bytes of the command `stop`. Version 2 sends a number in place of the word. */
+/** Returns the length of the command `stop` in bytes. Version 2 sends a number for the word. */
 private fun stopBytes(trial: Trial): Int = if (trial.condition.isVersion2) WireFrame.OVERHEAD + 1 else "stop".length + Frame.HEADER_LENGTH
 
 private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()

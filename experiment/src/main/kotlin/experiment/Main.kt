@@ -6,8 +6,8 @@ import picocli.CommandLine
 import kotlin.system.exitProcess
 
 /**
- * Makes the experiment, and ends the program with its exit status, which is 2 for wrong arguments. The property `argo.command` contains the
- * words that the user has typed before `experiment`.
+ * Runs the experiment, and ends the program with its exit status. Wrong arguments give 2. The property `argo.command` contains the words
+ * that the user typed before `experiment`.
  */
 fun main(args: Array<String>) {
     exitProcess(program().execute(*args))

@@ -18,11 +18,11 @@ internal enum class Plan(
     @SerialName("full")
     FULL(listOf(40, 80, 120), listOf(20, 35, 50), 3, listOf(12, 48, 192, 768), listOf(9_600, 38_400, 115_200, 250_000, 1_000_000)),
 
-    /** A part of the experiment, for a few minutes: 12 combinations, 24 runs. */
+    /** A part of the experiment that takes a few minutes: 12 combinations, 24 runs. */
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** For a try of the experiment itself: few combinations, with replications for an error term. */
+    /** Tests the experiment itself: few combinations, with replications for an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
@@ -34,8 +34,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design, all at one limit and interval: with more sensors and with faster lines. The agent
-     * perceives all sensors, or only the front distance.
+     * Returns the runs beyond the factorial design, with more sensors and faster lines. All have one limit and one interval. The agent
+     * perceives all sensors or only the front distance.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
 
 /**
- * Watches whether this machine keeps up with real time in its simulation. A thread asks to be woken every [STEP_NANOS] ns, and notes how
- * late it was woken. Boards and agents are delayed by the same causes.
+ * Checks if this machine keeps up with real time in its simulation. A thread asks to be woken every [STEP_NANOS] ns, and measures its
+ * delay. Boards and agents suffer the same delays.
  */
 internal class Punctuality : AutoCloseable {
     private class Delay(val at: Long, val nanos: Long)
@@ -25,7 +25,7 @@ internal class Punctuality : AutoCloseable {
         }
     }
 
-    /** Returns the longest delay of this machine since [start], a [System.nanoTime], in ms; 0 if no delay was as long as 1 ms. */
+    /** Returns the longest delay of this machine in ms since [start], a [System.nanoTime]. Returns 0 if none reached 1 ms. */
     fun worstSinceMs(start: Long): Double = delays.filter { it.at + it.nanos - start >= 0 }.maxOfOrNull { it.nanos / 1e6 } ?: 0.0
 
     override fun close() {
@@ -39,21 +39,20 @@ internal class Punctuality : AutoCloseable {
     }
 }
 
-/** A run may be made so many times, if the machine was late in the earlier tries. */
+/** The greatest number of tries for a run, if the machine was late. */
 internal const val MAX_TRIES = 3
 
 /**
- * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time that a request and the answer with
- * twelve sensors take at 9600 baud.
+ * Returns the longest allowed delay of this machine in a run of [condition], in ms. The limit is a third of the time of a request and an
+ * answer with twelve sensors at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
 
-/** Whether this machine was later than the condition of the run allows. */
 internal val Finished.isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 
 /**
- * Calls [make] until this machine was not too late in a run, but at most [MAX_TRIES] times. Returns the last run; null as soon as [make]
- * returns null.
+ * Calls [make] until this machine was punctual in a run, at most [MAX_TRIES] times. Returns the last run, or null as soon as [make] returns
+ * null.
  *
  * @param repeated called before each repetition
  */

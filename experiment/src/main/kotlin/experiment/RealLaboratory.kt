@@ -10,10 +10,11 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * Asks a user to put a real robot back, and waits for a line from [keyboard]. The end of [keyboard] aborts the experiment. For one thread.
+ * Asks a user to put a real robot back, and waits for a line from [keyboard]. The end of [keyboard] aborts the experiment. Not safe for use
+ * by several threads at once.
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
-    private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come
+    private val answers = LinkedBlockingQueue<Boolean>() // false means that no more answers come
     private val reader = lazy {
         thread(name = "keyboard", isDaemon = true) { // a read of the keyboard cannot be interrupted
             keyboard.forEachLine { answers.put(true) }
@@ -21,7 +22,7 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
         }
     }
 
-    /** Asks the user to put the robot at the start for [trial], and waits; returns false if the experiment is aborted. */
+    /** Asks the user to put the robot at the start for [trial], and waits. Returns false if the experiment is aborted. */
     fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
@@ -35,10 +36,10 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * Makes runs with a real robot on [port], one at a time. The robot's position is known only from its front sensor. Both times of a result
- * begin as in a [Sighting], and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less.
- * If the agent does not send `stop`, the laboratory does. [ready] waits until the user has put the robot at the start for a run; it returns
- * false if the experiment is aborted.
+ * Makes runs with a real robot on [port], one at a time. Only the front sensor tells the robot's position. Both times of a result start as
+ * in a [Sighting]. The times end when the agent's `stop` was sent. The robot has collided if the agent believes a distance of at most
+ * [WALL_CM] cm. If the agent does not send `stop`, the laboratory does. [ready] waits until the user has put the robot at the start.
+ * [ready] returns false if the experiment is aborted.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -59,7 +60,7 @@ internal class RealLaboratory(
                 val now = clock.nanos()
                 val outcome = outcome(witness.beliefs, now - begin) ?: continue
                 halt(witness)
-                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // by then the newest readings show the robot at rest
+                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings then show the robot at rest
                 val (front, _, trouble) = witness.beliefs
                 val reason = if (outcome != Outcome.FAILED) null else trouble
                     ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says $front"
@@ -68,7 +69,7 @@ internal class RealLaboratory(
                 )
             }
             halt(witness)
-            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command goes out in this time
+            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command is sent in this time
             if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {
@@ -84,15 +85,15 @@ internal class RealLaboratory(
     }
 
     /**
-     * Stops the robot unless its agent has done so: a board's motors keep their last command. Does nothing if the agent is in trouble,
-     * since it then has no board for a command.
+     * Stops the robot if its agent has not done so. The motors keep their last command. Does nothing if the agent is in trouble, since it
+     * then has no board.
      */
     private fun halt(witness: Witness) {
         if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()
     }
 
     companion object {
-        /** A robot that is so near, in cm, counts as at the wall. */
+        /** At this distance in cm or less, a robot counts as at the wall. */
         const val WALL_CM = 3.0
         private const val LOOK_MS = 5L
         private const val SETTLE_MS = 1_000L

@@ -10,7 +10,7 @@ import java.nio.file.Path
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A line of a run's record. Times are ns since the run began, by a steady clock. Distances are in cm. */
+/** A line of a run's record. Times are ns since the start of the run, by a steady clock. Distances are in cm. */
 @Serializable
 internal sealed interface Entry {
     /** The first line: the run, and its [settings]. */
@@ -18,7 +18,7 @@ internal sealed interface Entry {
     @SerialName("trial")
     data class Begin(val trial: Trial, val settings: Settings<Plan>) : Entry
 
-    /** The board began to send its percepts [text]. [distance] is the robot's true distance from the wall; null: not known. */
+    /** The board started to send its percepts [text]. [distance] is the robot's true distance from the wall, or null if it is not known. */
     @Serializable
     @SerialName("frame")
     data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
@@ -28,39 +28,38 @@ internal sealed interface Entry {
     @SerialName("command")
     data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
 
-    /** The agent began to believe the front distance [front], while [events] events and [intentions] intentions remained. */
+    /** The agent started to believe the front distance [front]. At that time it had [events] events and [intentions] intentions. */
     @Serializable
     @SerialName("belief")
     data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
 
-    /** The last line. */
     @Serializable
     @SerialName("result")
     data class Result(
         val outcome: Outcome,
-        /** The final distance of the robot from the wall; 0 if it ran into the wall. */
+        /** The final distance from the wall, or 0 after a collision. */
         val distance: Double,
         /**
-         * The time from crossing the limit to the stop or the wall, in ms. For a real robot this is an estimate, see [Sighting.crossed].
+         * The time from crossing the limit to the stop or the wall, in ms. For a real robot, the time is an estimate from
+         * [Sighting.crossed].
          */
         val sinceLimitMs: Double = 0.0,
         /**
-         * The time from the first believed reading at or below the limit to the stop or the wall, in ms. Negative: the board had stopped
-         * the robot before the agent believed the reading. Null: the agent believed no such reading.
+         * The time from the first believed reading at or below the limit to the stop or the wall, in ms. The time is negative if the board
+         * stopped the robot before the agent believed the reading. The time is null if the agent believed no such reading.
          */
         val sincePerceivingMs: Double? = null,
-        /** The number of commands that took effect; 0 for a real robot. */
+        /** The number of commands that took effect, or 0 for a real robot. */
         val commands: Int = 0,
-        /** The number of the board's answers; 0 for a real robot. */
+        /** The number of the board's answers, or 0 for a real robot. */
         val frames: Int = 0,
-        /** The longest delay of this machine in the run, in ms; 0 for a real robot. */
+        /** The longest delay of this machine in the run in ms, or 0 for a real robot. */
         val lateMs: Double = 0.0,
-        /** For [Outcome.IDLE] and [Outcome.FAILED]: the reason why nothing was measured. */
+        /** The reason why nothing was measured, for [Outcome.IDLE] and [Outcome.FAILED]. */
         val reason: String? = null,
     ) : Entry
 }
 
-/** The end of a run. */
 @Serializable
 internal enum class Outcome {
     @SerialName("stopped")
@@ -69,11 +68,11 @@ internal enum class Outcome {
     @SerialName("collided")
     COLLIDED,
 
-    /** The robot never drove, since no command to drive reached its board. */
+    /** The robot never drove. No command to drive reached its board. */
     @SerialName("idle")
     IDLE,
 
-    /** Nothing was measured, since the agent or its board failed. */
+    /** Nothing was measured because the agent or its board failed. */
     @SerialName("failed")
     FAILED,
 }
@@ -81,20 +80,20 @@ internal enum class Outcome {
 internal val JSON = Json { encodeDefaults = true }
 
 /**
- * Writes the record of one run to [file], line by line. Safe on any thread. Overwrites an existing file.
+ * Writes the record of one run to [file], line by line. Safe for use by several threads. Overwrites an existing file.
  *
- * An agent and its board write in the middle of a run, so [write] throws nothing if the disk is full. The record then ends, and
+ * An agent and its board call [write] during a run. [write] therefore throws nothing if the disk is full. The record then ends, and
  * [requireWhole] throws the cause.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out = Files.newOutputStream(file) // not buffered: a line that could not be written must not be written later
+    private val out = Files.newOutputStream(file) // unbuffered, so that a failed line is not written later
     private var isEnded = false
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line. Adds nothing after the result, after [close] or after a failed line, since a board may still answer
-     * when its run is over.
+     * Adds [entry] as one whole line. Adds nothing after the result, after [close] or after a failed line. A board may still answer after
+     * its run.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {
@@ -110,7 +109,7 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     /**
      * Checks that all lines have been written.
      *
-     * @throws IOException if a line is missing; the exception has the cause
+     * @throws IOException if a line is missing, with the cause
      */
     fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
 
@@ -120,12 +119,12 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     }
 }
 
-/** Reads the record in [file]; null if the record is incomplete or a line of it is damaged. */
+/** Reads the record in [file], or returns null if it is incomplete or a line is damaged. */
 internal fun readRecord(file: Path): List<Entry>? {
     val entries = try {
         Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }
     } catch (_: SerializationException) {
-        return null // the line is cut off, or another version of this program wrote it
+        return null // the line is incomplete, or another version of this program wrote it
     } catch (_: java.nio.charset.CharacterCodingException) {
         return null
     }

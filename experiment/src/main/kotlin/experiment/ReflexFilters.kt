@@ -6,7 +6,7 @@ import argo.filters.RuleList
 import argo.filters.dropFilter
 import argo.filters.keepFilter
 
-/** Makes the filter of [view] with a critical rule, whose reflex is `stop` if the front distance is at most [limit] cm. */
+/** Makes the filter of [view] with a critical rule. The rule's reflex is `stop` at a front distance of [limit] cm or less. */
 internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
     val name = "${view.word}Reflex$limit"
     val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }
@@ -23,8 +23,8 @@ private fun RuleList.stopAt(limit: Int) = critical("dist") {
 }
 
 /**
- * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. Offers no filters before an experiment
- * begins, so that agents of other samples in the same program, and their live views, do not see them.
+ * Gives agents the filters of [Condition.REFLEX], one for each limit of a plan and each [View]. Gives no filters before an experiment
+ * starts. Agents of other samples in this program then do not see them.
  */
 internal class ReflexFilters : FilterProvider {
     override val filters get() = offered

@@ -12,9 +12,9 @@ import java.time.Instant
 import kotlin.random.Random
 
 /**
- * A command that makes the runs [T] of an experiment, and writes a report on the finished runs [R].
+ * A command that makes the runs [T] of an experiment and reports the finished runs [R].
  *
- * @param plans the plans [P], in this order: the full one, the quick one and the shortest one
+ * @param plans the plans [P] in this order: full, quick, shortest
  */
 @Command(
     exitCodeListHeading = "%nExit status:%n",
@@ -57,24 +57,20 @@ internal abstract class RunsCommand<P, T, R : Any>(private val plans: List<P>) :
 
     private val name get() = spec.name().substringAfterLast(' ') // without the user's words before it
 
-    /** The port of a real robot; null: the robots are simulated. */
+    /** The port of a real robot, or null for simulated robots. */
     protected open val port: String? get() = null
 
-    /** Refuses wrong options of this experiment. */
     protected abstract fun check()
 
     protected abstract fun archive(directory: Path): Archive<P, R>
 
-    /** Returns all runs, in their order. */
     protected abstract fun all(settings: Settings<P>): List<T>
 
-    /** Returns the runs for a campaign. [punctuality] tells how late this machine was in each run. */
+    /** Returns the runs for a campaign. [punctuality] gives the delay of this machine in each run. */
     protected abstract fun runs(archive: Archive<P, R>, settings: Settings<P>, punctuality: Punctuality, given: GivenUp): Runs<T, R>
 
-    /** Writes the report on the runs of [archive]. Returns the page's file. */
     protected abstract fun report(archive: Archive<P, R>, settings: Settings<P>, made: Provenance): Path
 
-    /** Returns the exit status of a finished experiment, whose runs are [over]. */
     protected open fun status(over: List<R>): Int = ExitStatus.DONE
 
     override fun call(): Int {
@@ -107,7 +103,10 @@ internal abstract class RunsCommand<P, T, R : Any>(private val plans: List<P>) :
         misuse("--out ${archive.directory} cannot be written to: $unwritable")
     }
 
-    /** Returns the settings of the [present] experiment, changed by the options; null: returns those of a new experiment. */
+    /**
+     * Returns the settings of the [present] experiment with the user's changes. If [present] is null, returns the settings of a new
+     * experiment.
+     */
     private fun settings(present: Settings<P>?): Settings<P> {
         val plan = plans[if (smoke) 2 else if (quick) 1 else 0]
         if (present != null) {
@@ -134,7 +133,6 @@ internal abstract class RunsCommand<P, T, R : Any>(private val plans: List<P>) :
     }
 
     private companion object {
-        /** The exit status if the user has interrupted the experiment. */
         const val INTERRUPTED = 130
         const val MAX_JOBS = 256
         const val MAX_SLOWDOWN = 1000.0

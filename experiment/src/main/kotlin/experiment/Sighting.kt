@@ -4,26 +4,26 @@ import javino.LineClock
 import samples.collision.Witness
 
 /**
- * Notes when an agent perceives that its robot is at most [limit] cm from the wall. Only the agent's thread may call [see]; any thread may
- * read. Instants are ns of one steady clock.
+ * Detects when an agent perceives that its robot is at most [limit] cm from the wall. Only the agent's thread may call [see]. Any thread
+ * may read. Times are ns of one steady clock.
  */
 internal class Sighting(private val limit: Int) {
     private var above: Pair<Double, Long>? = null
 
     /**
-     * The instant at which the believed readings crossed the limit; null until then. The instant is interpolated, for a constant speed,
-     * between the last reading above the limit and the first one at or below it. It ignores the time from a sensor to the agent.
+     * The time at which the believed readings crossed the limit, or null before that. The time is interpolated with constant speed, between
+     * the last reading above the limit and the first one at or below it. The delay from the sensor to the agent is ignored.
      */
     @Volatile
     var crossed: Long? = null
         private set
 
-    /** The instant at which the agent first believed a front distance at or below the limit; null until then. */
+    /** The time at which the agent first believed a front distance at or below the limit, or null before that. */
     @Volatile
     var perceived: Long? = null
         private set
 
-    /** Notes that the agent believes the front distance [front] since [now]; null: it believes none. */
+    /** Takes the front distance [front] that the agent believes from [now] on, or null for none. */
     fun see(front: Double?, now: Long) {
         if (front == null || perceived != null) return
         if (front > limit) {

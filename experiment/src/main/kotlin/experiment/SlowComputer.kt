@@ -6,8 +6,8 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
 
 /**
- * Adds up the additional time of a computer that is [factor] times slower than this one: the difference between a cycle's time there and
- * here. A time that is too short for waiting is added to the next. [factor] is at least 1.
+ * Sums up the extra time of a computer that is [factor] times slower than this one. The extra time is the difference of a cycle's time
+ * there and here. A time that is too short for a wait is added to the next one. [factor] is at least 1.
  */
 internal class SlowTime(private val factor: Double) {
     private var owed = 0.0
@@ -16,7 +16,7 @@ internal class SlowTime(private val factor: Double) {
         require(factor >= 1) { "an agent can be slowed down, not sped up: the factor is at least 1, not $factor" }
     }
 
-    /** Adds a cycle that took [cpuNanos] of processor time on this computer. Returns the ns to wait now. */
+    /** Adds a cycle that took [cpuNanos] of processor time on this computer. Returns the time to wait now, in ns. */
     fun owedAfter(cpuNanos: Long): Long {
         owed += cpuNanos * (factor - 1)
         return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
@@ -27,23 +27,22 @@ internal class SlowTime(private val factor: Double) {
     }
 
     companion object {
-        /** A machine cannot wait accurately for a shorter time. */
+        /** A computer cannot wait accurately for a shorter time. */
         const val MIN_WAIT_NANOS = 200_000L
     }
 }
 
 /**
- * Slows the reasoning of an agent: each cycle takes [factor] times its processor time. Times in which the agent's thread waits, mostly for
- * its line, stay as they are.
+ * Slows an agent's reasoning. Each cycle takes [factor] times its processor time. Waiting times of the agent's thread, mostly for its line,
+ * do not change.
  *
- * @param processors the processors of the slow computer, which its agents share; a cycle occupies one of them
+ * @param processors the processors that the agents of the slow computer share. A cycle occupies one of them
  */
 internal class SlowComputer(private val factor: Double, private val processors: Semaphore = Semaphore(1)) : AgArch() {
     private val time = SlowTime(factor)
     private val threads = ManagementFactory.getThreadMXBean()
     private var cpuBefore: Long? = null
 
-    /** The processor time of the agent on the slow computer, in ns. Any thread may ask. */
     @Volatile
     var busyNanos = 0L
         private set

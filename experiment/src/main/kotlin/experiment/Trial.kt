@@ -6,51 +6,49 @@ import kotlinx.serialization.Serializable
 import samples.collision.Sensors
 
 /**
- * How agent and board work together in a run.
+ * The way in which agent and board work together.
  *
  * @property letter the condition's name on the command line and in records
  * @property sensing the agent's sensing policy
- * @property protocol the version of Javino for the port; null: the default
+ * @property protocol the Javino version of the port, or null for the default
  */
 @Serializable
 internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
-    /** The published setting: each reasoning cycle waits for the line, commands are written at once, version 1. */
+    /** As published: version 1, each reasoning cycle waits for the line, and commands are sent at once. */
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
-    /** The board speaks version 2, so the agent can request only the percepts that its filter keeps. */
+    /** With version 2, the agent requests only percepts that its filter keeps. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /** Like [VERSION_2], but the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
+    /** [VERSION_2] with a critical rule that the board checks. The rule's reflex stops the robot at the limit. */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
 
-    /** True if agent and board speak version 2, so that requests can name the percepts that the filter keeps. */
+    /** True for version 2, in which requests can name the kept percepts. */
     val isVersion2: Boolean get() = protocol == "2"
 }
 
-/** The part of the percepts that the agent perceives. [word] is the view's name on the command line and in records. */
+/** The percepts that the agent perceives. [word] is the view's name on the command line and in records. */
 @Serializable
 internal enum class View(val word: String) {
     /** The agent perceives all sensors. */
     @SerialName("none")
     NONE("none"),
 
-    /** The front sensors of the three kinds. */
     @SerialName("frontSide")
     FRONT_SIDE("frontSide"),
 
-    /** The front distance sensor. */
     @SerialName("frontDistance")
     FRONT_DISTANCE("frontDistance"),
     ;
 
-    /** The functors of the kept percepts, for requests to a board of version 2; null: all percepts are kept. */
+    /** The functors of the kept percepts for version 2 requests, or null if all percepts are kept. */
     val functors: List<String>?
         get() = when (this) {
             NONE -> null
@@ -59,8 +57,8 @@ internal enum class View(val word: String) {
         }
 
     /**
-     * Returns the name of the agent's filter under [condition], for stopping at [limit] cm. For version 2 it is a keep filter, so that
-     * requests can name the percepts.
+     * Returns the name of the agent's filter under [condition], for a stop at [limit] cm. The filter for version 2 is a keep filter.
+     * Requests can then name the percepts.
      */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name
@@ -71,7 +69,7 @@ internal enum class View(val word: String) {
 }
 
 /**
- * One run: a combination of the experiment's levels, and the number of its replication.
+ * One run: a combination of levels and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval, in ms
@@ -88,9 +86,9 @@ internal data class Trial(
     val baud: Int = LineSettings.DEFAULT_BAUD,
     val sensors: Int = Sensors.PER_SET,
 ) {
-    /** The name of the run's record and of its board. Each run of an experiment has another name. */
+    /** The unique name of the run, its record and its board. */
     val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
 
-    /** Whether the run is beyond the published design. */
+    /** True if the run does not belong to the published design. */
     val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
 }

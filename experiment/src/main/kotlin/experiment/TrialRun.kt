@@ -14,13 +14,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.random.Random
 
-/** Makes runs, and writes their records except for the result. */
+/** Makes runs, and writes their records without the result. */
 internal fun interface Laboratory {
-    /** Makes the run [trial] and returns its result; null: [given] has ended the run. Several threads call this. */
+    /** Makes the run [trial]. Returns its result, or null if [given] has ended the run. Safe for use by several threads. */
     fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
 }
 
-/** Tells waiting threads that the whole experiment is aborted. */
+/** Tells waiting threads that the experiment is aborted. */
 internal class GivenUp {
     private val latch = CountDownLatch(1)
 
@@ -28,11 +28,11 @@ internal class GivenUp {
 
     fun giveUp() = latch.countDown()
 
-    /** Waits [millis] ms at most. Returns true if the experiment is aborted. */
+    /** Waits for up to [millis] ms. Returns true if the experiment is aborted. */
     fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
 }
 
-/** Simulates robots in real time. Each thread that calls [run] has its own robot. */
+/** Simulates robots in real time. Each calling thread of [run] has its own robot. */
 internal class SimulatedLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
@@ -63,8 +63,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. If the board has stopped the robot, the run goes on until the agent has done so too, since a command
-     * that is under way may start the robot again.
+     * Returns true if the run is over. If the board has stopped the robot, the run continues until the agent has done so, too. A command
+     * under way may restart the robot.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
@@ -93,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course]; null while the robot drives or is at the start. The agent should stop the robot at [limit] cm. [perceived]
- * is the instant at which the agent perceived the wall; null: it has not perceived the wall.
+ * Returns the result of a robot on [course], or null while it drives or is at the start. [limit] is the distance in cm at which the agent
+ * should stop the robot. [perceived] is the time at which the agent perceived the wall, or null if it has not.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -108,13 +108,13 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
 
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
-/** A robot whose percepts and actions are recorded, with the robot's true distance. */
+/** A robot that records its percepts and actions, with its true distance. */
 internal class RecordedSketch(
     private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
 ) : Sketch {
     override fun actions() = robot.actions()
 
-    /** The number of commands that took effect so far. Any thread may ask. */
+    /** The number of commands that have taken effect. Safe for use by several threads. */
     val commands = AtomicInteger()
 
     val frames = AtomicInteger()
@@ -127,7 +127,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors() = robot.percepts() // the board itself reads these for its rules, so they are not recorded
+    override fun sensors() = robot.percepts() // the board reads these for its rules, so they are not recorded
 
     override fun act(command: String) = robot.act(command).also {
         commands.incrementAndGet()

@@ -37,7 +37,6 @@ class CampaignSpec : FunSpec({
 
     fun archive() = collisionArchive(tempdir().toPath().resolve("x")).apply { open(SETTINGS) }
 
-    /** Runs all of [trials] in [archive] by [laboratory]. */
     fun campaign(
         archive: Archive<Plan, Finished> = archive(),
         given: GivenUp = GivenUp(),
@@ -74,7 +73,7 @@ class CampaignSpec : FunSpec({
         }
         val before = campaign(archive, given, laboratory = laboratory).run(trials)
         before.size shouldBe made.size - trials.count { it in made && it !in before.map(Finished::trial) }
-        // whole lines
+        // checks that all lines are whole
         trials.map { archive.file(it.id) }.filter { it.exists() }.flatMap { it.readLines() }.forEach {
             JSON.decodeFromString(Entry.serializer(), it)
         }
@@ -137,7 +136,7 @@ class CampaignSpec : FunSpec({
         val archive = archive()
         val laboratory = Laboratory { trial, record, _ ->
             record.write(Entry.Command(5, "front", 200.0))
-            if (trial == trials[2]) archive.file(trials[3].id).createSymbolicLinkPointingTo(FULL) // the disk is full for the next run
+            if (trial == trials[2]) archive.file(trials[3].id).createSymbolicLinkPointingTo(FULL) // fills the disk for the next run
             stopped()
         }
         val refused = shouldThrow<IOException> { campaign(archive, jobs = 1, laboratory = laboratory).run(trials) }

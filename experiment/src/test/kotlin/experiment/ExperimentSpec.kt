@@ -21,7 +21,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readLines
 
-/** The experiment in real time, as its user runs it; the runs are so short that a robot stops after one or two seconds. */
+/** Runs the experiment in real time as a user does. A robot stops after one or two seconds. */
 class ExperimentSpec : FunSpec({
     fun start(vararg arguments: String) = Program.start("experiment.MainKt", *arguments)
 
@@ -67,11 +67,11 @@ class ExperimentSpec : FunSpec({
     }
 
     test("the demo does not offer the experiment's filters").config(tags = setOf(NamedTag("Thorough"))) {
-        // in a release both are on one class path
+        // a release has both on one class path
         Program.start("samples.MainKt", "collision", "--view").use { demo ->
             val page = checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/robot/").find(demo.awaitLine("live view: "))).value
             val offered = URI(page).resolve("filters").toURL().readText()
-            offered shouldContain "keepFrontDistance" // a file
+            offered shouldContain "keepFrontDistance" // from a file
             offered shouldNotContain "Reflex"
         }
     }

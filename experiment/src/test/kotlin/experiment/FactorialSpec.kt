@@ -11,7 +11,7 @@ import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression
 import kotlin.math.sqrt
 import kotlin.random.Random
 
-/** Draws responses for three levels of each factor and three replications, as in the experiment. */
+/** Draws responses for [sizes] levels of the factors and [replications] replications. */
 private fun drawn(random: Random, sizes: List<Int> = listOf(3, 3, 3), replications: Int = 3) =
     List(sizes[0]) { i ->
         List(sizes[1]) { j ->
@@ -19,12 +19,9 @@ private fun drawn(random: Random, sizes: List<Int> = listOf(3, 3, 3), replicatio
         }
     }
 
-/**
- * Returns the columns of a general linear model for one factor: effect coding, whose coefficients add up to 0 with that of the last level.
- */
+/** Returns the columns of a general linear model for one factor, with effect coding. The coefficients of all levels add up to 0. */
 private fun coded(level: Int, size: Int): List<Double> = List(size - 1) { if (level == size - 1) -1.0 else if (level == it) 1.0 else 0.0 }
 
-/** Fits the general linear model with the columns of [sources]. */
 private fun model(responses: List<List<List<List<Double>>>>, sources: List<Source>): OLSMultipleLinearRegression {
     val sizes = listOf(responses.size, responses[0].size, responses[0][0].size)
     val rows = ArrayList<DoubleArray>()
@@ -49,7 +46,7 @@ class FactorialSpec : FunSpec({
         val responses = signs.map { a -> signs.map { b -> signs.map { c -> listOf(mean(a, b, c) - 1, mean(a, b, c) + 1) } } }
         val analysis = Factorial(responses)
         analysis.mean shouldBe (40.0 plusOrMinus 1e-9)
-        // a sum of squares is 2^3 combinations × 2 replications × the effect's square
+        // a sum of squares is 2^3 combinations × 2 replications × the square of the effect
         val squares = mapOf(
             Source.A to 6400.0, Source.B to 1600.0, Source.C to 400.0, Source.AB to 144.0, Source.AC to 64.0, Source.BC to 16.0,
             Source.ABC to 0.0,
@@ -59,7 +56,7 @@ class FactorialSpec : FunSpec({
         analysis.total shouldBe (8640.0 plusOrMinus 1e-9)
         analysis.share(Source.A) shouldBe (6400.0 / 8640 plusOrMinus 1e-12)
         analysis.errorShare shouldBe (16.0 / 8640 plusOrMinus 1e-12)
-        // the error's variance is 16/8 = 2, that of an effect 2/16; the 0.975 quantile of t with 8 degrees of freedom is 2.306
+        // the variance of the error is 16/8 = 2, and of an effect 2/16; the 0.975 quantile of t with 8 degrees of freedom is 2.306
         val (low, high) = analysis.effects(Source.A, 0.95)
         low.value shouldBe (-20.0 plusOrMinus 1e-9)
         high.value shouldBe (20.0 plusOrMinus 1e-9)
@@ -143,5 +140,5 @@ class FactorialSpec : FunSpec({
     }
 })
 
-/** The 0.95 quantile of Student's t with 54 degrees of freedom: 27 combinations, two more replications each. */
+/** The 0.95 quantile of Student's t with 54 degrees of freedom. There are 27 combinations with two more replications each. */
 private const val T_90_54 = 1.6736

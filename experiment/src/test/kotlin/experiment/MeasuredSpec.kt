@@ -74,7 +74,7 @@ class MeasuredSpec : FunSpec({
         time.owedAfter(60_000) shouldBe 0
         time.owedAfter(60_000) shouldBe 240_000
         time.paid(250_000)
-        time.owedAfter(100_000) shouldBe 0 // 190,000 less the time that was waited too long
+        time.owedAfter(100_000) shouldBe 0 // 190,000 minus the excess of the last wait
         time.owedAfter(10_000) shouldBe 210_000
     }
 

@@ -69,9 +69,9 @@ class PlanSpec : FunSpec({
     test("a board of version 2 that is asked for distances alone takes a part of the line's time") {
         val all = Trial(Condition.VERSION_2, View.NONE, 80, 20, 1)
         val part = all.copy(view = View.FRONT_DISTANCE)
-        // a request with (dist), and the digits of dist(f,200), dist(b,200), dist(r,80) and dist(l,80) in an item
+        // a request with (dist), and an item with the digits of dist(f,200), dist(b,200), dist(r,80) and dist(l,80)
         exchangeNanos(part) shouldBe (7 + 6 + 7 + 2 + 7) * LineSettings(9_600).byteNanos()
-        // until the filter is known it is asked for all
+        // the agent requests all percepts until the filter is known
         answerLimitMs(part.copy(sensors = 768)) shouldBe answerLimitMs(all.copy(sensors = 768))
     }
 

@@ -16,7 +16,7 @@ import samples.collision.Robot
 import java.nio.file.Path
 import kotlin.random.Random
 
-/** A robot that is known only through its port, as real ones are. */
+/** Uses a robot that is known only by its port, like a real one. */
 class RealLaboratorySpec : FunSpec({
     val host = AgentHost()
     val trial = Trial(Condition.DEFAULTS, View.FRONT_DISTANCE, 190, 20, 1)
@@ -58,7 +58,7 @@ class RealLaboratorySpec : FunSpec({
         val person = Attendant("\n\n".reader().buffered(), given) { asked += it }
         List(2) { person.ready(trial) } shouldBe listOf(true, true)
         asked.first() shouldContain "put the robot 200 cm from the wall for b-frontDistance-190-20-1"
-        person.ready(trial) shouldBe false // there is nobody any more
+        person.ready(trial) shouldBe false // no user answers any more
         given.isUp shouldBe true
     }
 

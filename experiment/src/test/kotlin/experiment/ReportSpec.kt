@@ -31,7 +31,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 
-/** Makes up a result with the published pattern; other conditions stop at once. */
+/** Makes a result with the published pattern. Other conditions stop at once. */
 private fun pattern(trial: Trial): Entry.Result = when {
     trial.condition != Condition.PUBLISHED -> stopped(trial.limit - 5.0, 400.0 + 10 * trial.replication)
     trial.view == View.NONE -> collided(trial.limit * 100.0)
@@ -49,7 +49,6 @@ class ReportSpec : FunSpec({
     val settings = SETTINGS.copy(plan = Plan.FULL)
     val reports = mutableMapOf<List<Condition>, String>()
 
-    /** Returns the report of [conditions] with the published pattern, which is written once. */
     fun report(vararg conditions: Condition): String = reports.getOrPut(conditions.toList()) {
         writeReport(tempdir().toPath(), settings, made(*conditions), MADE).readText()
     }

@@ -18,7 +18,7 @@ import org.apache.commons.math3.random.Well19937c
 import java.util.Random
 import kotlin.math.sqrt
 
-/** The true model of an experiment: the mean of each combination of three levels, two of B; errors have the variance 1. */
+/** The true model of an experiment: the mean of each combination. A and C have three levels, B two. Errors have the variance 1. */
 private class Truth(val replications: Int, val mean: (Int, Int, Int) -> Double) {
     private val means = Factorial(drawn(1) { 0.0 })
     private val variance = means.total / means.count + 1
@@ -30,7 +30,7 @@ private class Truth(val replications: Int, val mean: (Int, Int, Int) -> Double) 
 
     val errorShare = 1 / variance
 
-    /** Returns how many of [experiments] have an interval with the true share in it, for each source, and last for the error. */
+    /** Returns the number of [experiments] whose interval contains the true share, for each source and then for the error. */
     fun coverage(experiments: Int, error: (Random) -> Double): List<Double> {
         val random = Random(11)
         val found = List(experiments) { seed ->
@@ -42,7 +42,7 @@ private class Truth(val replications: Int, val mean: (Int, Int, Int) -> Double) 
     }
 }
 
-/** Returns true if [value] is in the interval, up to the rounding of a sum of doubles. */
+/** Returns true if [value] is in the interval, with a tolerance for rounding. */
 private operator fun Interval.contains(value: Double) = value >= low - 1e-12 && value <= high + 1e-12
 
 private const val EXPERIMENTS = 400
@@ -68,7 +68,7 @@ class SharesSpec : FunSpec({
     }
 
     test("for one effect they are the published intervals from the noncentral F distribution") {
-        /** Returns the interval of 90 %, with [f] as the ratio of variances. */
+        /** Returns the 90 % interval for [f], the ratio of variances. */
         fun interval(f: Double, effect: Int, error: Int) =
             SharePivots(Squares(error.toDouble(), error), effect + error + 1, Well19937c(3), draws = 200_000)
                 .interval(Squares(f * effect, effect), Squares(0.0, 0), 0.9)

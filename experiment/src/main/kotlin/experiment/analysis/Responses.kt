@@ -11,17 +11,17 @@ import samples.collision.Course
 /**
  * The analysed number of each run.
  *
- * If a robot ran into the wall, its time is not known, since the run ended before its agent reacted. Then the number is a choice.
+ * After a collision, the time is not known, since the run ended before the agent reacted. The number for a collision is therefore a choice.
  *
- * @property collisions the number for a robot that ran into the wall, in words
+ * @property collisions the number for a collision, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published response. All collisions get one number, which does not depend on the limit, since the limit is a factor itself. */
+    /** The published response. All collisions get one number. The number does not depend on the limit, since the limit is a factor. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** Like [PERCEIVED_TIME], but a collision has the time until the wall: the agent needed at least this. */
+    /** [PERCEIVED_TIME] with another number for collisions: the time until the wall. The agent needed at least this time. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",
@@ -29,7 +29,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** The time since the robot was at the limit. It includes the time from the sensor to the agent. */
+    /** The time since the robot was at the limit. The time includes the delay from the sensor to the agent. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },
@@ -40,23 +40,23 @@ internal enum class Response(val title: String, val unit: String, val collisions
 
     val isTime: Boolean get() = unit == "s"
 
-    /** Whether the paper has this response, perhaps with other numbers for collisions. */
+    /** True if the paper has this response, possibly with other numbers for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }
 
-/** Returns [ms] in seconds; for a robot that ran into the wall, the longest time that any limit leaves. */
+/** Returns [ms] in seconds. For a collision, returns the longest time that any limit leaves. */
 private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
     if (outcome == Outcome.COLLIDED) plan.limits.max() / Course.SPEED_CM_S else ms() / 1000
 
-/** The factors in the order of the analysis: L, I, F as A, B, C. */
+/** The factors in the order of the analysis: L, I and F are A, B and C. */
 internal val FACTORS = listOf("L", "I", "F")
 
 /** Returns the name of [source] in terms of these three [factors], such as `L×F`. */
 internal fun words(source: Source, factors: List<String> = FACTORS): String = source.factors.joinToString("×") { factors[it] }
 
-/** Analyses [response] in the runs of [plan] under [condition]; null if some of these runs are missing or have failed. */
+/** Analyses [response] in the runs of [plan] under [condition]. Returns null if some of these runs are missing or failed. */
 internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {
     val results = finished.filter { it.isMeasured }.associate { it.trial to it.result }
     val trials = plan.trials(condition)
@@ -75,8 +75,8 @@ internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition
 }
 
 /**
- * The published shares, in percent, in the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2. F is
- * the filter, L the distance limit, I the perception interval.
+ * The published shares in percent, for the variation of the time from perceiving the wall. The source is C. E. Pantoja et al., EMAS 2016,
+ * Table 2. F is the filter, L the distance limit, I the perception interval.
  */
 internal object Published {
     val percent: Map<Source, Double> = mapOf(
@@ -86,6 +86,5 @@ internal object Published {
 
     const val ERROR_PERCENT = 3.285
 
-    /** The sum of all shares, which is not 100. */
     val sumPercent: Double get() = percent.values.sum() + ERROR_PERCENT
 }

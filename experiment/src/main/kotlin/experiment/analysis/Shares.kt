@@ -10,17 +10,17 @@ internal data class Squares(val sum: Double, val freedom: Int) {
 }
 
 /**
- * The intervals, at [CONFIDENCE], of the shares that infinitely many runs of each combination would have.
+ * The intervals, at [CONFIDENCE], of the shares for infinitely many runs of each combination.
  *
- * The errors are assumed to be normal and independent, with one variance v. The share of a source is then s / (t + v), with the mean square
- * s of its effects and the mean square t of all effects. In a sample, shares of sources are larger, since the measured effects contain
- * errors, and the share of the error is smaller. So a small share in the sample can lie outside of its interval.
+ * The errors are assumed to be normal and independent, with one variance v. The share of a source is s / (t + v). s is the mean square of
+ * its effects, and t the mean square of all effects. In a sample, the measured effects contain errors. The shares of sources are therefore
+ * larger, and the share of the error is smaller. A small share in the sample can lie outside its interval.
  *
  * @property sources the intervals of factors and interactions
  */
 internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
 
-/** Returns the intervals of the shares in [analysis]; null if there is one replication, since the error is then not known. */
+/** Returns the intervals of the shares in [analysis]. Returns null for one replication, since the error is then not known. */
 internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS): ShareIntervals? {
     if (analysis.errorFreedom == 0) return null
     val pivots = SharePivots(Squares(analysis.error, analysis.errorFreedom), analysis.count, Well19937c(seed), draws)
@@ -34,17 +34,18 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
 }
 
 /**
- * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and P.
- * Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
+ * Generalized confidence intervals of shares. The sources are S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993, and J.
+ * Hannig, H. Iyer and P. Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006.
  *
- * A source's sum of squares over the errors' variance is noncentral chi-squared. With the noncentralities `own` of one source and `others`
- * of the other sources, and the [count] of the responses, a share is `own / (own + others + count)`. Random numbers replace the unknown
- * noncentralities: the probability that such a number is at most x is the probability that a sum of squares with noncentrality x exceeds
- * the observed one. [error] over a chi-squared random number replaces the variance. The ends of the interval are two percentiles of the
- * shares drawn in this way.
+ * A source's sum of squares divided by the errors' variance is noncentral chi-squared. A share is `own / (own + others + count)`. `own` is
+ * the noncentrality of one source, `others` that of the other sources, and [count] the number of responses.
  *
- * If there are no other effects, the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological
- * Methods 9, 2004). For several effects it gives none.
+ * Random numbers replace the unknown noncentralities. The probability that such a number is at most x equals another probability: that a
+ * sum of squares with noncentrality x exceeds the observed one. [error] divided by a chi-squared random number replaces the variance. The
+ * ends of the interval are two percentiles of the drawn shares.
+ *
+ * Without other effects, the noncentral F distribution gives an equal interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9,
+ * 2004). With several effects, it gives none.
  *
  * @param error the errors' sum of squares, with at least one degree of freedom
  */
@@ -66,8 +67,8 @@ internal class SharePivots(
 
     /**
      * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw subtracts a central
-     * chi-squared number from the observed one. If the remainder is negative, the result is 0. Otherwise the result is a noncentral
-     * chi-squared number with two degrees of freedom, whose noncentrality is the remainder.
+     * chi-squared number from the observed one. The result is 0 if the remainder is negative. For other remainders, the result is a
+     * noncentral chi-squared number with two degrees of freedom. The remainder is its noncentrality.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)
@@ -94,5 +95,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** The number of draws. With so many, the ends of an interval are at the wanted percentiles, give or take 0.2. */
+/** The number of draws. With this number, the ends of an interval are within 0.2 of the wanted percentiles. */
 private const val DRAWS = 10_000

@@ -34,7 +34,7 @@ internal class DelegationCommand : RunsCommand<DelegationPlan, DelegationRun, Me
         archive: Archive<DelegationPlan, Measured>, settings: Settings<DelegationPlan>, punctuality: Punctuality, given: GivenUp,
     ): Runs<DelegationRun, Measured> {
         val laboratory = DelegationLaboratory(AgentHost(), punctuality, settings.seed, settings.slowdown)
-        Design.entries.forEach { laboratory.run(DelegationRun(0, settings.plan.loads.last(), it), given) } // warms Java up
+        Design.entries.forEach { laboratory.run(DelegationRun(0, settings.plan.loads.last(), it), given) } // warms up Java
         return DelegationRuns(archive, laboratory)
     }
 

@@ -12,14 +12,14 @@ import kotlin.random.Random
 /**
  * The result of a run.
  *
- * @property reactions the times from a stimulus to its reaction, in ms, in their order; those of the warm-up are left out
- * @property missed the number of stimuli without a reaction within [Stimuli.LIMIT_MS], which are not among [reactions]
- * @property busy the average number of processors that worked for the agents
+ * @property reactions the times from a stimulus to its reaction in ms, in order, without those of the warm-up
+ * @property missed the number of stimuli without a reaction within [Stimuli.LIMIT_MS]. Missed stimuli are not in [reactions]
+ * @property busy the average number of processors used by the agents
  * @property lateMs the longest delay of this machine in the run, in ms
  */
 @Serializable
 internal data class DelegationResult(val reactions: List<Double>, val missed: Int, val busy: Double, val lateMs: Double) {
-    /** All reaction times in ascending order. A missed stimulus counts as [Stimuli.LIMIT_MS]. */
+    /** All reaction times in ascending order. A missed stimulus counts with [Stimuli.LIMIT_MS]. */
     val times: List<Double> get() = reactions.sorted() + List(missed) { Stimuli.LIMIT_MS.toDouble() }
 
     val isLate: Boolean get() = lateMs > MAX_LATE_MS
@@ -29,7 +29,7 @@ internal data class DelegationResult(val reactions: List<Double>, val missed: In
     }
 }
 
-/** Makes runs in real time, with agents on slow computers and boards on simulated lines. Several threads may call [run]. */
+/** Makes runs in real time, with agents on slow computers and boards on simulated lines. Safe for use by several threads. */
 internal class DelegationLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
@@ -37,7 +37,6 @@ internal class DelegationLaboratory(
     private val slowdown: Double,
     private val clock: LineClock = LineClock.system(),
 ) {
-    /** Makes [run], and returns its result; null if [given] has ended the run. */
     fun run(run: DelegationRun, given: GivenUp): DelegationResult? {
         val begin = clock.nanos()
         val stimuli = Stimuli(run.load.sensors, clock, Random(31 * seed + run.id.hashCode()))
@@ -67,7 +66,6 @@ internal class DelegationLaboratory(
         const val WARM_UP_MS = 700L
         const val MEASURED_MS = 2_500L
 
-        /** The expected time of a run, including its beginning and end, in ms. */
         const val EXPECTED_MS = WARM_UP_MS + MEASURED_MS + 500
 
         private const val LOOK_MS = 10L

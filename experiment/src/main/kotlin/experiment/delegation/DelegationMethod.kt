@@ -8,7 +8,7 @@ import experiment.report.method
 import experiment.report.one
 import experiment.report.whole
 
-/** Describes the method of the experiment with [settings] and the runs [measured], as items of a list in HTML. */
+/** Describes the method of the experiment as items of an HTML list. Uses its [settings] and its [measured] runs. */
 internal fun method(settings: Settings<DelegationPlan>, measured: List<Measured>, made: Provenance): String {
     val plan = settings.plan
     return method(

@@ -18,7 +18,9 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.temporal.ChronoUnit
 
-/** Writes the report on [measured], all runs of an experiment, to `report.html` and `figures/` in [directory]. Returns the page's file. */
+/**
+ * Writes the report on [measured], all runs of an experiment, to `report.html` and `figures/` in [directory]. Returns the file of the page.
+ */
 internal fun writeDelegationReport(
     directory: Path, settings: Settings<DelegationPlan>, measured: List<Measured>, made: Provenance,
 ): Path {

@@ -14,17 +14,16 @@ import kotlin.io.path.readText
 @Serializable
 internal data class Measured(val run: DelegationRun, val result: DelegationResult)
 
-/** Returns the archive of the experiment in [directory]. A run's record is one line in its own file. */
 internal fun delegationArchive(directory: Path): Archive<DelegationPlan, Measured> =
     Archive(directory, DelegationPlan.serializer(), ::measuredIn)
 
 private fun measuredIn(file: Path): Measured? = try {
     JSON.decodeFromString(Measured.serializer(), file.readText()).takeIf { it.run.id == file.nameWithoutExtension }
 } catch (_: SerializationException) {
-    null // the line is cut off, or another version of this program wrote it
+    null // the line is incomplete, or another version of this program wrote it
 }
 
-/** The runs of the experiment. [laboratory] makes the runs, and [archive] keeps their records. */
+/** The runs of the experiment. [laboratory] makes the runs. [archive] stores their records. */
 internal class DelegationRuns(
     private val archive: Archive<DelegationPlan, Measured>, private val laboratory: DelegationLaboratory,
 ) : Runs<DelegationRun, Measured> {
@@ -32,7 +31,7 @@ internal class DelegationRuns(
 
     override fun make(run: DelegationRun, given: GivenUp): Measured? {
         val file = archive.file(run.id)
-        Files.deleteIfExists(file) // an earlier try, which was late, must not count if this one is aborted
+        Files.deleteIfExists(file) // removes an earlier try, which was late, in case this try is aborted
         val measured = laboratory.run(run, given)?.let { Measured(run, it) } ?: return null
         Files.writeString(file, JSON.encodeToString(Measured.serializer(), measured) + "\n")
         return measured

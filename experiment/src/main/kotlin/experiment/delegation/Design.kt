@@ -7,25 +7,25 @@ import kotlinx.serialization.Serializable
 internal val KINDS = listOf("dist", "light", "temp")
 
 /**
- * How agents share the work: which of them sense, reason and act.
+ * A way to divide the work among agents: which of them sense, reason and act.
  *
  * @property word the design's name in records
- * @property boards the robot's boards, each with the kinds of its sensors; the first one has the motors
+ * @property boards the robot's boards, each with the kinds of its sensors. The first board has the motors
  */
 @Serializable
 internal enum class Design(val word: String, val title: String, val boards: List<List<String>>) {
     @SerialName("one")
     ONE("one", "one agent", listOf(KINDS)),
 
-    /** Like [ONE], but with a board and a line for each kind of sensor, to show whether the lines or the agents make a difference. */
+    /** [ONE] with a board and a line for each kind of sensor. The design separates the effect of lines from that of agents. */
     @SerialName("boards")
     BOARDS("boards", "one agent, three boards", KINDS.map(::listOf)),
 
-    /** An ARGO agent for each kind of sensor, each with a board, as the paper proposes in section 5.3. */
+    /** An ARGO agent with a board for each kind of sensor, as the paper proposes in section 5.3. */
     @SerialName("kinds")
     KINDS_APART("kinds", "an agent for each kind", KINDS.map(::listOf)),
 
-    /** An ARGO agent senses and acts. For each kind of sensor, a common agent reasons about the percepts that the ARGO agent sends it. */
+    /** An ARGO agent senses and acts. A common agent for each kind of sensor reasons about percepts that the ARGO agent sends. */
     @SerialName("delegates")
     DELEGATES("delegates", "one agent delegates", listOf(KINDS)),
 }

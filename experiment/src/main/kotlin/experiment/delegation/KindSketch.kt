@@ -3,7 +3,7 @@ package experiment.delegation
 import javino.sim.Sketch
 import javino.wire.BoardAction
 
-/** A board with the sensors of these [kinds] in the world of [stimuli]. With [motors] it has the action `stop(Cm)`. */
+/** A board with the sensors of these [kinds], which reads them from [stimuli]. With [motors], it has the action `stop(Cm)`. */
 internal class KindSketch(private val stimuli: Stimuli, private val kinds: List<String>, private val motors: Boolean) : Sketch {
     override fun percepts(): List<String> = stimuli.read(kinds)
 

@@ -5,20 +5,20 @@ import kotlinx.serialization.Serializable
 import kotlin.random.Random
 
 /**
- * The work of the agents of a run, and the processors for it.
+ * The work of the agents in a run, and the processors for it.
  *
  * @property processors the number of processors that the agents share
  * @property interval the sensing interval, in ms
  * @property sensors the number of the robot's sensors, a multiple of three
- * @property plans the number of plans for each kind of percept; only the last one applies
+ * @property plans the number of plans for each kind of percept. Only the last one applies
  */
 @Serializable
 internal data class Load(val processors: Int, val interval: Int, val sensors: Int, val plans: Int)
 
-/** A run of [design] under [load], in the block with the number [block], from 1. */
+/** A run of [design] under [load], in the block number [block], from 1. */
 @Serializable
 internal data class DelegationRun(val block: Int, val load: Load, val design: Design) {
-    /** The name of the run, a Jason atom. Each run of an experiment has another name. */
+    /** The unique name of the run, a Jason atom. */
     val id: String get() = load.run { "b${block}_p${processors}_i${interval}_s${sensors}_n${plans}_" } + design.word
 }
 
@@ -33,7 +33,7 @@ internal enum class DelegationPlan(
     @SerialName("quick")
     QUICK(3, listOf(1, 4), listOf(20), listOf(12, 192), listOf(1, 100)),
 
-    /** The shortest plan, to try the program. */
+    /** The shortest plan, for a test of the program. */
     @SerialName("smoke")
     SMOKE(2, listOf(4), listOf(20), listOf(12), listOf(1)),
     ;
@@ -41,7 +41,7 @@ internal enum class DelegationPlan(
     val loads: List<Load>
         get() = processors.flatMap { p -> intervals.flatMap { i -> sensors.flatMap { s -> plans.map { n -> Load(p, i, s, n) } } } }
 
-    /** Returns the runs, one block after the other. Within a block, the order is random. */
+    /** Returns the runs in order of blocks. The order within a block is random. */
     fun runs(seed: Long): List<DelegationRun> = (1..blocks).flatMap { block ->
         loads.flatMap { load -> Design.entries.map { DelegationRun(block, load, it) } }.shuffled(Random(31 * seed + block))
     }

@@ -14,7 +14,7 @@ import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.scale.scaleXDiscrete
 import org.jetbrains.letsPlot.scale.scaleYLog10
 
-/** Plots the reactions of all runs at this sensing [interval], and a line through their medians for each design. */
+/** Plots the reactions of all runs at the sensing [interval], with a line through the medians of each design. */
 internal fun reactionsFigure(comparison: Comparison, interval: Int, shades: Shades): Plot {
     val loads = comparison.plan.loads.filter { it.interval == interval }
     val cells = loads.flatMap { load -> Design.entries.map { load to it } }

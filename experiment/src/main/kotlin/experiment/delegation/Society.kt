@@ -10,18 +10,17 @@ import javino.sim.SimulatedBoards
 import java.util.concurrent.Semaphore
 
 /**
- * The agents of [run] on one computer. The run's load gives its number of processors, and each is [slowdown] times slower than one of this
- * computer. The boards are at [ports], in the order of the design.
+ * The agents of [run] on one computer. The load of the run gives its number of processors. Each is [slowdown] times slower than a processor
+ * of this computer. The boards are on [ports], in the order of the design.
  */
 internal class Society(private val run: DelegationRun, private val ports: List<String>, private val slowdown: Double) {
     private val load = run.load
     private val processors = Semaphore(load.processors, true)
     private val computers = ArrayList<SlowComputer>()
 
-    /** The processor time that the agents have used on the slow computer, in ns. */
     val busyNanos: Long get() = computers.sumOf { it.busyNanos }
 
-    /** Creates and starts the agents on [host]. An agent that receives messages is started before the agents that send them. */
+    /** Creates and starts the agents on [host]. An agent that receives messages starts before the agents that send them. */
     fun begin(host: AgentHost): List<LocalAgArch> = members().map(host::begin)
 
     private fun members(): List<Newcomer> = when (run.design) {
@@ -50,11 +49,10 @@ internal class Society(private val run: DelegationRun, private val ports: List<S
     )
 
     companion object {
-        /** The rate of each line, in bits a second. */
         const val BAUD = 115_200
     }
 }
 
-/** Returns [count] plans for a percept of this [kind]. Only the last one applies, since the others require a missing belief. */
+/** Returns [count] plans for a percept of this [kind]. Only the last one applies. The other plans need a belief that does not exist. */
 internal fun plansFor(kind: String, count: Int): List<String> =
     (1 until count).map { "+$kind(_, N) : alarm$it(Limit) & N < Limit." } + "+$kind(_, _)."

@@ -4,11 +4,11 @@ import javino.LineClock
 import kotlin.random.Random
 
 /**
- * The world of a run. From time to time an obstacle, the stimulus, comes near one of the robot's distance sensors, and stays until the
- * robot has stopped for it. Any thread may call these functions.
+ * The world of a run. From time to time an obstacle, the stimulus, appears in front of a distance sensor. The obstacle stays until the
+ * robot has stopped for it. Safe for use by several threads.
  *
- * Each reading of each sensor differs from its last one. A distance is at least [CLEAR_CM], but less than [NEAR_CM] for a sensor with an
- * obstacle. Successive obstacles have different distances, so a command, which names the distance, belongs to one of them.
+ * Each reading of each sensor differs from its last one. A distance is at least [CLEAR_CM]. For a sensor with an obstacle, it is less than
+ * [NEAR_CM]. Successive obstacles have different distances. A command names the distance, so it belongs to one obstacle.
  *
  * @param sensors the number of sensors, a multiple of three
  */
@@ -18,16 +18,14 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
     private var readings = 0
     private var near = next(clock.nanos())
 
-    /** An obstacle, which comes at the instant [at] before the sensor with this number, [cm] away. */
+    /** An obstacle that appears at [at] in front of sensor number [sensor], [cm] away. */
     private class Near(val at: Long, val sensor: Int, val cm: Int)
 
-    /** The reaction, after [ms], to a stimulus that came at the instant [at]; null: none within [LIMIT_MS]. */
+    /** The reaction to a stimulus of the time [at], after [ms]. Null means no reaction within [LIMIT_MS]. */
     class Reaction(val at: Long, val ms: Double?)
 
-    /** The stimuli that are over. */
     val reactions: List<Reaction> @Synchronized get() = ended.toList()
 
-    /** Returns true if all stimuli from before [instant] are over. */
     @Synchronized
     fun areOver(instant: Long) = near.at >= instant
 
@@ -39,7 +37,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
         near = next(now)
     }
 
-    /** Reads the sensors of these [kinds] anew: first sensor 1 of each kind, then sensor 2 of each, and so on. */
+    /** Reads the sensors of these [kinds]: sensor 1 of each kind, then sensor 2 of each, and so on. */
     @Synchronized
     fun read(kinds: List<String>): List<String> {
         val now = clock.nanos()
@@ -51,7 +49,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
         }.flatten()
     }
 
-    /** Takes the command to stop for an obstacle that is [cm] away. Has no effect if the obstacle has gone. */
+    /** Takes the command to stop for an obstacle at the distance [cm]. Has no effect if the obstacle has gone. */
     @Synchronized
     fun stop(cm: Int) {
         val now = clock.nanos()
@@ -59,7 +57,7 @@ internal class Stimuli(private val sensors: Int, private val clock: LineClock, p
     }
 
     companion object {
-        /** A stimulus without a reaction ends after this time, in ms. */
+        /** A stimulus without a reaction ends after this time in ms. */
         const val LIMIT_MS = 2_000
 
         const val NEAR_CM = 40

@@ -15,7 +15,6 @@ import experiment.analysis.shareIntervals
 import experiment.analysis.words
 import kotlin.math.sqrt
 
-/** Explains the tables of shares and the assumptions of their intervals. */
 internal val ALLOCATION_METHOD = """<p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of
 each factor and interaction in the variation of a response, as sums of squares of the effects over the total one.</p>
 <p>Estimated effects contain some random error. So a factor without any effect has a share in the sample, too, and the error's
@@ -27,7 +26,7 @@ combinations; the interval of an effect that varies less than errors make likely
 condition have as many digits as the widest of their intervals allows.</p>
 """
 
-/** Makes the tables of the shares in the variation of [response]. [columns] has the analysis for each condition. */
+/** Makes the tables of the shares for [response]. [columns] has the analysis of each condition. */
 internal class Allocation(private val response: Response, private val columns: Map<Condition, Factorial>, seed: Long) {
     private val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, seed) }
     private val decimals = intervals.mapValues { (_, all) ->
@@ -41,7 +40,7 @@ internal class Allocation(private val response: Response, private val columns: M
         (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
             "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 
-    /** Returns the table of the shares in the sample, beside the published ones. It is called [number]. */
+    /** Returns the table of the sample's shares beside the published shares. The table's name is [number]. */
     fun shares(number: String): String {
         val rows = Source.entries.map { source -> row(words(source), Published.percent.getValue(source)) { it.share(source) } } +
             listOf(row("error", Published.ERROR_PERCENT) { it.errorShare }, variances())
@@ -82,14 +81,16 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun percent(interval: Interval) = Interval(100 * interval.low, 100 * interval.high)
 
     private companion object {
-        /** The most decimals of shares with intervals. The published shares have three. */
+        /** The greatest number of decimals for shares with intervals. The published shares have three. */
         const val MOST_DECIMALS = 2
 
         const val UNSURE_DECIMALS = 1
     }
 }
 
-/** Returns the table of the effects of [plan]'s factors on the time from perceiving the wall in [condition]. It is called [number]. */
+/**
+ * Returns the table with the effects of [plan]'s factors on the time from perceiving the wall in [condition]. The table's name is [number].
+ */
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)

@@ -14,10 +14,10 @@ import experiment.leavesTime
 import experiment.limitNanos
 import kotlin.math.abs
 
-/** What these runs say about a published or promised claim. */
+/** The result of the runs for a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
-/** A published result or a promise, and what these runs have [seen] of it. [why] explains the claim. */
+/** A published result or a promise, and the result [seen] in the runs. [why] explains the claim. */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
@@ -26,7 +26,10 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.sinceLimit() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 }
 
-/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; empty if no robot has stopped. */
+/**
+ * Writes a text such as `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`. The text is empty if no robot
+ * has stopped.
+ */
 private fun List<Finished>.medians(): String {
     if (stopped() == 0) return ""
     val perceived = median(filter { it.result.outcome == Outcome.STOPPED }.map { (it.result.sincePerceivingMs ?: 0.0) / 1000 })
@@ -36,9 +39,7 @@ private fun List<Finished>.medians(): String {
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
-/**
- * Compares the published results with those [runs] that have the published condition. Claims about levels that [plan] lacks are not tested.
- */
+/** Compares the published results with the [runs] of the published condition. Claims about levels that are not in [plan] are not tested. */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
     if (published.isEmpty()) return emptyList()
@@ -125,7 +126,7 @@ private fun allocation(analysis: Factorial?): Claim? {
     )
 }
 
-/** Compares this project's own promise for [condition] with [runs]; null if no run has this condition. */
+/** Compares this project's promise for [condition] with [runs]. Returns null if no run has this condition. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
@@ -149,5 +150,4 @@ else "The agent gets the newest frame, and gets it when it has handled the event
     "never acts on one older than a few exchanges. The physical time is the longest that line and sensors take, whatever " +
     "program drives the robot: the noise of the reading, an exchange that began just before the limit, the next one and the command"
 
-/** Returns the median of [values], which are not empty. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }

@@ -11,13 +11,13 @@ private const val MAX_DECIMALS = 3
 private const val ONE_DIGIT = 3.55
 
 /**
- * The number of meaningful decimals of an interval, from 0 to 3. Half the interval's width keeps two digits if they are 35 or less, else
- * one. This is the rule of the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
+ * The number of meaningful decimals of an interval, from 0 to 3. Half the width keeps two digits if they are 35 or less, and otherwise one.
+ * The source is the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
  */
 internal val Interval.decimals: Int
     get() = if (high > low) ceil(log10(ONE_DIGIT / ((high - low) / 2))).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
 
-/** Writes [value] with this number of [decimals]. A value that rounds to 0 has no sign. */
+/** Writes [value] with this number of [decimals]. A value that rounds to 0 is written without a sign. */
 internal fun rounded(value: Double, decimals: Int): String =
     String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
 

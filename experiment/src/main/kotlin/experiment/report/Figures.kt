@@ -5,7 +5,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
 
-/** Numbers the figures of a report, and writes their files to [directory]. */
 internal class Figures(private val directory: Path) {
     private var count = 0
 
@@ -14,8 +13,8 @@ internal class Figures(private val directory: Path) {
     }
 
     /**
-     * Writes the figure [name] as SVG and PNG. Returns the HTML that shows it in light or dark colours, as the reader prefers. Screen
-     * readers get the text [instead].
+     * Writes the figure [name] as SVG and PNG. Returns HTML that shows it in light or dark colours, according to the reader's settings.
+     * [instead] is the text for screen readers.
      */
     fun write(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String {
         val light = svg(plot(Shades.LIGHT))

@@ -19,17 +19,16 @@ import java.time.temporal.ChronoUnit
 /**
  * The origin of a report.
  *
- * @property build the version and the commit of ARGO, in words
- * @property at the time at which the report was made
- * @property machine the machine on which the runs were made, in words
+ * @property build the version and the commit of ARGO
+ * @property at the creation time of the report
+ * @property machine the machine that made the runs
  */
 internal class Provenance(val build: String, val at: Instant, val machine: String)
 
-/** Describes the method of the experiment with [settings], as items of a list in HTML. [made] has the program and the machine. */
+/** Describes the method of the experiment as items of an HTML list. [made] contains the program and the machine. */
 internal fun method(settings: Settings<Plan>, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     method((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
 
-/** Lists the parts of a method, each with its description in HTML. */
 internal fun method(parts: List<Pair<String, String>>): String =
     parts.joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
 
@@ -82,7 +81,7 @@ private fun common(settings: Settings<Plan>, failed: List<Finished>, made: Prove
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
 
-/** Warns of the [runs] in which the machine was too late, by their names. If there are none, the text is empty. */
+/** Warns of the [runs] in which the machine was too late, by name. Without such runs, the text is empty. */
 internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +
@@ -95,7 +94,6 @@ internal fun busyMachine(runs: List<Finished>): String {
         late.joinToString { "${it.trial.id} (${whole(it.result.lateMs)} ms)" } + "</p></details>\n"
 }
 
-/** Describes the lateness of the machine in [runs], and the runs that were repeated because of it. */
 internal fun lateness(runs: List<Finished>): String {
     val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
     return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +

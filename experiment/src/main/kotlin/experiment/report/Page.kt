@@ -4,7 +4,10 @@ package experiment.report
 internal fun escaped(text: String): String =
     text.replace(" %", "\u00a0%").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 
-/** Makes a page without styles or scripts in other files. It is light or dark as the reader prefers, and fits a phone. */
+/**
+ * Makes a page without external styles or scripts. The page's colours are light or dark according to the reader's settings, and the page
+ * fits a phone.
+ */
 internal fun page(title: String, body: String): String = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -44,7 +47,7 @@ $body
 </html>
 """
 
-/** Makes a table with [heads], and a [caption] above it. The first columns, [words] of them, contain text, and all others numbers. */
+/** Makes a table with [heads] and a [caption] above it. The first [words] columns contain text, and the others numbers. */
 internal fun table(caption: String, heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
     fun cell(tag: String, scope: String, index: Int, text: String) =
         "<$tag$scope${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"

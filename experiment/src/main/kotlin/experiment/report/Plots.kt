@@ -49,7 +49,7 @@ import java.math.BigDecimal
 /**
  * The colours of a figure.
  *
- * @property filters a colour for each filter's view, in this order: everything, the front side, the front distance
+ * @property filters a colour for each view, in this order: everything, the front side, the front distance
  * @property sources the colours of the published figures and of the conditions
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {
@@ -66,7 +66,7 @@ internal enum class Shades(val ink: String, val faint: String, val paper: String
 
 internal fun svg(plot: Plot): String = PlotSvgExport.buildSvgImageFromRawSpecs(plot.toSpec().toMutableMap())
 
-/** Draws [svg] as a PNG, and returns its bytes. A unit of the SVG becomes [scale] pixels. */
+/** Draws [svg] as a PNG, and returns its bytes. One unit of the SVG becomes [scale] pixels. */
 internal fun png(svg: String, scale: Float = 2f): ByteArray {
     val width = checkNotNull(Regex("""width="([0-9.]+)"""").find(svg)) { "the figure has no width" }.groupValues[1].toFloat()
     val out = ByteArrayOutputStream()
@@ -77,7 +77,6 @@ internal fun png(svg: String, scale: Float = 2f): ByteArray {
     return out.toByteArray()
 }
 
-/** Gives the plot its size and the colours of [shades]. */
 internal fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this + ggsize(width, height) + themeMinimal() + theme(
     text = elementText(color = shades.ink, family = "sans-serif"),
     axisText = elementText(color = shades.ink, size = 12),
@@ -100,7 +99,7 @@ internal fun words(view: View) = when (view) {
 
 private val FILTERS = View.entries.map(::words)
 
-/** The ends of a run, each with its shape in figures. A hollow shape: the machine was late in the run. */
+/** The ends of a run, with their shapes in figures. A hollow shape means that the machine was late. */
 private val ENDS = listOf("stopped" to 16, "ran into the wall" to 4, "stopped, busy machine" to 1, "wall, busy machine" to 13)
 
 private fun end(run: Finished) = ENDS[(if (run.result.outcome == Outcome.COLLIDED) 1 else 0) + if (run.isLate) 2 else 0].first
@@ -109,7 +108,6 @@ private fun endShapes(runs: List<Finished>) = ENDS.take(if (runs.any { it.isLate
     scaleShapeManual(values = ends.map { it.second }, limits = ends.map { it.first }, name = "")
 }
 
-/** The range of the axis of response times, in s. */
 private const val MIN_S = 0.002
 private const val MAX_S = 20.0
 private val TIMES_S = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
@@ -121,7 +119,7 @@ private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(B
 
 private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
-/** Plots the robots' final distances in all combinations, as in the published figure. Each condition has a row. */
+/** Plots the robots' final distances in all combinations, as the published figure does. Each condition has a row. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
     val data = mapOf(
         "x" to
@@ -150,7 +148,7 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
 
 private fun filterColours(shades: Shades) = scaleColorManual(values = shades.filters, limits = FILTERS, name = "")
 
-/** Plots the times from crossing the limit to stopping, or to the wall, in units of [scale]. */
+/** Plots the times from crossing the limit to the stop or the wall, in units of [scale]. */
 internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
@@ -170,7 +168,6 @@ internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades)
         ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
-/** Plots the published allocation of variation and that of these runs. */
 internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): Plot {
     val names = listOf("published") + analyses.keys.map(::title)
     val sources = Source.entries.map(::words) + "error"

@@ -18,7 +18,7 @@ import java.nio.file.Path
 import java.time.temporal.ChronoUnit
 
 /**
- * Writes the report on the [finished] runs. The report is a page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
+ * Writes the report on the [finished] runs. The report is the page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
  * `runs.csv`. Returns the file of the page.
  */
 internal fun writeReport(directory: Path, settings: Settings<Plan>, finished: List<Finished>, made: Provenance): Path {
@@ -77,7 +77,7 @@ ${busyMachine(runs + scaled)}${leftOut()}$counts"""
         "${stopped(runs)} of ${runs.size} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
     }
 
-    /** Explains which parts of the published plan are missing in a shorter plan. */
+    /** Lists the parts of the published plan that a shorter plan lacks. */
     private fun leftOut(): String {
         val limits = (Plan.FULL.limits - plan.limits.toSet()).map { "the limit of $it cm" }
         val intervals = (Plan.FULL.intervals - plan.intervals.toSet()).map { "the interval of $it ms" }
@@ -137,7 +137,6 @@ the wall.</p>
         )
     }
 
-    /** Makes a row of times, all with the same number of decimals. */
     private fun timesRow(cell: List<Finished>, response: Response, scale: TimeScale): List<String> {
         val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { response.of(it.result, plan) }.sorted()
         val interval = medianInterval(seconds)
@@ -172,7 +171,7 @@ the wall.</p>
         return shares + figure + allocation.intervals(nextTable())
     }
 
-    /** Returns true if [response] is equal to the published time in all runs of [condition], so that its table would be the same. */
+    /** Returns true if [response] equals the published time in all runs of [condition]. A table of [response] would then be a copy. */
     private fun isRepeated(response: Response, condition: Condition) = response == Response.LEAST_PERCEIVED_TIME &&
         runs.none { it.trial.condition == condition && it.result.outcome == Outcome.COLLIDED }
 

@@ -4,7 +4,7 @@ import experiment.Finished
 import experiment.maxLateMs
 
 /**
- * Writes [runs] as comma-separated values (RFC 4180): the names of the columns in the first line, then a line for each run.
+ * Writes [runs] as comma-separated values (RFC 4180). The first line has the column names, and each other line a run.
  *
  * @param seed the seed for the order of the runs
  * @param build the version and the commit of ARGO, in words

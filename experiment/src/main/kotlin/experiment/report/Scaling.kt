@@ -6,12 +6,10 @@ import experiment.exchangeNanos
 import experiment.isLate
 import experiment.leavesTime
 
-/** Presents the results of [runs] beyond the published plan, in words and a table. */
 internal class Scaling(private val runs: List<Finished>) {
     val scale: TimeScale = TimeScale.of(runs.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 })
     private val bauds = runs.map { it.trial.baud }.distinct().sorted()
 
-    /** Describes these runs, and the bound of each condition. */
     fun introduction(): String {
         val trial = runs.first().trial
         return """<p>A limit of ${trial.limit} cm, an interval of ${trial.interval} ms, one run for each field (n = ${runs.size}):
@@ -27,7 +25,10 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
 """
     }
 
-    /** Returns the table of the outcomes, called [number], with the baud rate from which each condition stops on all lines. */
+    /**
+     * Returns the table of the outcomes with the name [number]. The table contains the baud rate from which each condition stops on all
+     * lines.
+     */
     fun table(number: String): String = table(
         "$number. ${word()} from the limit to the stop, for each number of sensors and each line.",
         listOf("condition", "filter", "sensors") + bauds.map { "$it baud" } + listOf("stops on all lines from", "exchange there, ms"),

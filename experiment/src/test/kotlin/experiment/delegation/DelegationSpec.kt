@@ -28,7 +28,6 @@ import kotlin.random.Random
 class DelegationSpec : FunSpec({
     val settings = Settings(DelegationPlan.QUICK, seed = 3, slowdown = 5.0, computer = "of a test")
 
-    /** Makes up runs in which the reaction takes [ms]. */
     fun made(plan: DelegationPlan = DelegationPlan.QUICK, ms: (DelegationRun) -> Double) =
         plan.runs(7).map { Measured(it, DelegationResult(listOf(ms(it) - 1, ms(it), ms(it) + 1), 0, busy = 0.5, lateMs = 2.0)) }
 
@@ -119,7 +118,7 @@ class DelegationSpec : FunSpec({
         test("its interval is Student's, of the logarithms") {
             val (value, interval) = ratio(listOf(ln(1.0), ln(2.0), ln(4.0)))
             value shouldBe (2.0 plusOrMinus 1e-9)
-            // 4.3027 (t of two degrees of freedom) times ln 2 over the root of 3
+            // 4.3027 is t with two degrees of freedom
             ln(interval.shouldNotBeNull().high / 2) shouldBe (4.3027 * ln(2.0) / 1.7321 plusOrMinus 1e-3)
             ratio(listOf(ln(3.0))).interval shouldBe null
         }
