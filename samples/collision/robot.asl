@@ -1,8 +1,8 @@
 /* Drives towards a wall and stops in front of it, after the case study of C. E. Pantoja et al., EMAS 2016.
 
    Its initial beliefs are in the .mas2j:
-     board(Port, Options)   where the robot is, or
-     boards(Ports)          where its boards are, as for argo.ports: the one with the wheels first
+     board(Port, Options)   the port of the robot, or
+     boards(Ports)          the ports of its boards, as for argo.ports, with the wheels first
      value(Cm)              the front distance at which it stops
      interval(Ms)           the sensing interval
      view(Filter)           none, or a filter of filters/ */
@@ -24,12 +24,12 @@
 +!open : boards(Ports) <- .ports(Ports). // argo: others may send boards/1
 
 +!start <-
-    .wait(dist(f, _)); // nor into one that has not been seen yet
+    .wait(dist(f, _)); // does not drive before the first distance
     .act(front);
     +status(front);
     !moving.
 
-+!moving : port(_, timeout) & status(front) <- // an agent that does not see does not drive
++!moving : port(_, timeout) & status(front) <- // without percepts the agent does not drive
     .act(stop);
     .wait(not port(_, timeout));
     !moving.
@@ -45,21 +45,21 @@
 
 -!moving[error(port_gone), error_msg(Why)] <- +trouble(Why).
 -!moving : port(_, off) <- +trouble("the board has gone").
--!moving : status(front) <- !!moving. // nothing has been perceived yet
+-!moving : status(front) <- !!moving. // no percepts yet
 
-/* Plans: lamps; a level is 0 to 1023, more where it is darker */
+/* Plans: lamps; a level is 0 to 1023, and higher if it is darker */
 
 +light(_, Level) : Level > 100  <- .act(ledLightOn).
 +light(_, Level) : Level <= 100 <- .act(ledLightOff).
 +temp(_, Degrees) : Degrees > 25  <- .act(ledTempOff).
 +temp(_, Degrees) : Degrees <= 25 <- .act(ledTempOn).
 
-/* Plans: when something goes wrong */
+/* Plans: failures */
 
 -!config[error_msg(Why)] <- +trouble(Why).
 +trouble(Why) <- .print(Why).
 
-+!halt <- // the program that runs the agent gives it up
++!halt <- // called by the program that runs the agent
     .drop_desire(config);
     .drop_desire(moving);
     .act(stop);

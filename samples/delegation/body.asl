@@ -1,4 +1,4 @@
-// Senses and acts, and leaves the reasoning to others: each percept goes to the agent that reasons on it.
+// Senses and acts. Sends each percept to the agent that reasons about it.
 
 reasons_on(dist, pilot).
 reasons_on(light, lamplighter).

@@ -1,4 +1,4 @@
-// Drives the body towards the wall and stops it at the limit. Knows distances and commands, but no port.
+// Drives the body towards the wall, and stops it at the limit. Knows distances and commands, but no port.
 
 +body_is_ready[source(Body)] <- .send(Body, achieve, do(front)).
 
@@ -8,5 +8,5 @@
     .send(Body, achieve, do(stop)).
 
 +done(stop) <-
-    .wait(500); // the command has gone out; the board has a moment to obey
+    .wait(500); // the board gets time to act on the command
     .stopMAS.

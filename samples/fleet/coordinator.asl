@@ -1,5 +1,5 @@
-// Shares the places that must be watched among the scouts that are there, and anew when one comes or goes. When its own computer goes, it
-// goes on on another one.
+// Distributes the places among the scouts, and does so again when a scout appears or disappears. If its computer fails, it continues on
+// another one.
 
 place(north). place(east). place(south). place(west).
 
@@ -8,13 +8,14 @@ load(Scout,N) :- known(Scout) & .count(watches(Scout,_),N).
 !oversee.
 
 +!hear[source(Scout)] : known(Scout).
-// a scout that comes back must not go on with places that others watch by now
+// a scout that returns must give up its places, which others watch by now
 +!hear[source(Scout)] <-
     .print(Scout, " is there");
     .send(Scout, achieve, stand_by);
     +known(Scout).
 
-// It has come to another computer, and believes what was so a second or two ago: the scouts do by that, whatever it has said since.
+// The coordinator continues on another computer, with beliefs that are a second or two old. The coordinator repeats its orders according to
+// these beliefs.
 +agent(coordinator,_) <- for (known(Scout)) { !remind(Scout) }.
 
 +!remind(Scout) <-
@@ -37,7 +38,7 @@ load(Scout,N) :- known(Scout) & .count(watches(Scout,_),N).
     .print(Scout, " is lost").
 
 +!assign(Place) : .findall(l(N,Scout), load(Scout,N), Loads) & .min(Loads, l(_,Scout)) <- !give(Scout,Place).
-+!assign(_). // nobody is there yet
++!assign(_). // no scout has appeared yet
 
 +!balance : load(Idle,Few) & load(Busy,Many) & Many > Few + 1 & watches(Busy,Place) <-
     !take(Busy,Place);
@@ -47,7 +48,7 @@ load(Scout,N) :- known(Scout) & .count(watches(Scout,_),N).
 +!take(Scout,Place) <-
     .abolish(watches(Scout,Place));
     .send(Scout, achieve, leave(Place)).
--!take(_,_)[error(unreachable)]. // it is told to stand by when it comes back
+-!take(_,_)[error(unreachable)]. // the scout will get stand_by when it returns
 
 +!give(Scout,Place) <-
     +watches(Scout,Place);

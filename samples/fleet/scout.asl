@@ -1,4 +1,4 @@
-// A robot of the fleet: says that it is there, and visits in turn the places that it is given to watch.
+// A robot of the fleet. Reports to the coordinator, and visits its assigned places in turn.
 
 trips(0).
 
@@ -15,7 +15,7 @@ trips(0).
     .send(coordinator, achieve, hear);
     .wait(300);
     !report.
-// the coordinator is out of touch, or goes on elsewhere
+// the coordinator is unreachable, or moves to another computer
 -!report <-
     .wait(300);
     !report.
@@ -31,7 +31,7 @@ trips(0).
     .wait(100);
     !patrol.
 
-// The trip's number makes each formula different. The timer of a .wait runs on after the wait, and would end a later wait for an equal one.
+// The trip number makes each .wait formula unique. The timer of a .wait continues after the wait, and would end a later equal one.
 +!visit(Place) : trips(N) <-
     Trip = N + 1;
     -+trips(Trip);
@@ -43,4 +43,4 @@ trips(0).
     .wait(500).
 
 +!tell(News) <- .send(coordinator, achieve, News).
--!tell(_)[error(unreachable)]. // nobody waits for that
+-!tell(_)[error(unreachable)]. // nobody waits for the news

@@ -1,10 +1,10 @@
-/* Keeps a greenhouse: waters by day while the soil is dry, airs while it is hot, and obeys the operator.
+/* Controls a greenhouse. Waters by day if the soil is dry, opens the vent if it is hot, and obeys the operator.
 
    Its initial beliefs are in the .mas2j:
-     board(Port)    where the greenhouse is
-     minute(Ms)     the length of a minute; less than 60000 where time is lapsed */
+     board(Port)    the port of the greenhouse
+     minute(Ms)     the length of a minute, less than 60000 for accelerated time */
 
-/* Each limit has two edges, so that a value that trembles at one edge switches nothing. */
+/* Each limit has two thresholds, so that a fluctuating value does not switch a device each time. */
 
 dark :- light(Level) & Level < 100.
 
@@ -14,7 +14,7 @@ wanted(pump, off)     :- not ordered(pump, _) & soil(Percent) & (dark | Percent 
 wanted(vent, open)    :- not ordered(vent, _) & not dark & temp(Celsius) & Celsius > 27.
 wanted(vent, closed)  :- not ordered(vent, _) & temp(Celsius) & (dark | Celsius < 23).
 
-/* A switched device is left alone for so many minutes. */
+/* The minutes for which a switched device stays unchanged. */
 
 rest(pump, 5).
 rest(vent, 15).
@@ -31,7 +31,7 @@ rest(vent, 15).
 +temp(_)  <- !tend(vent).
 +light(_) <- !tend(pump); !tend(vent).
 
-@tend[atomic] // else another event may come between the question and the answer
+@tend[atomic] // no other event may come between the question and the answer
 +!tend(Device) : wanted(Device, State) & state(Device, Other) & State \== Other & not rests(Device) <-
     +rests(Device);
     !!switch(Device, State).
@@ -48,7 +48,7 @@ rest(vent, 15).
     -rests(Device);
     !tend(Device).
 
-/* A person's orders: order(vent, closed), and order(vent, automatic) */
+/* Orders of the operator, such as order(vent, closed) and order(vent, automatic) */
 
 +!order(Device, automatic)[source(operator)] <- -ordered(Device, _); !tend(Device).
 +!order(Device, State)[source(operator)] <-
@@ -57,6 +57,6 @@ rest(vent, 15).
     !tend(Device).
 -!order(Device, State)[source(Other)] <- .print(Other, " may not order ", Device, " ", State).
 
-/* A gardener that does not see does not water; the board does the same when the gardener is silent. */
+/* Without percepts, the gardener stops watering. Without commands, the board stops, too. */
 
 +stale(_) : state(pump, on) <- argo.act(set(pump, off)).

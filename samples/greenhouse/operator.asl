@@ -1,4 +1,4 @@
-// A person who has the vent closed for a storm at noon, and gives it back. In the evening the sample ends.
+// Closes the vent for a storm at noon, and later returns it to automatic control. Ends the sample in the evening.
 
 !day.
 

@@ -1,4 +1,4 @@
-// Sees temperatures. Tells the pilot that it sees, and which temperature is above the limit.
+// Perceives temperatures. Tells the pilot that it can sense, and each temperature above the limit.
 { include("senses.asl") }
 
 +temp(f, _) : not told <- +told; .send(pilot, tell, sees(engineer)).

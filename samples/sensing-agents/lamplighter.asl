@@ -1,4 +1,4 @@
-// Sees light and has a lamp, which burns while it is bright in front of it. Tells the pilot only that it sees.
+// Perceives light, and switches its lamp on while the light in front is bright. Tells the pilot only that it can sense.
 { include("senses.asl") }
 
 +light(f, _) : not told <- +told; .send(pilot, tell, sees(lamplighter)).

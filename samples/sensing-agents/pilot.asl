@@ -1,4 +1,4 @@
-// Sees distances and has the wheels. It drives towards the wall when the others see too, and stops at the limit.
+// Perceives distances, and has the wheels. Drives towards the wall when the other agents can sense, and stops at the limit.
 { include("senses.asl") }
 
 !drive.
@@ -15,7 +15,7 @@
     .print("the wall is ", Cm, " cm away: stopped");
     .stopMAS.
 
-// only what concerns the pilot reaches it: no temperature, but a robot that is too hot
+// the pilot gets no temperatures, but only the news that the robot is too hot
 +too_hot(Degrees)[source(engineer)] <-
     .print(Degrees, " degrees: stopped");
     argo.act(stop).

@@ -1,4 +1,4 @@
-// What the three agents have in common: each perceives the board that it believes in.
+// The common part of the three agents: each perceives the board in its beliefs.
 
 !open.
 

@@ -1,4 +1,4 @@
-// Fetches a can with three boards at once: wheels, sensors and an arm.
+// Fetches a can with three boards: wheels, sensors and an arm.
 { include("wheels.asl", wheels) }
 
 !fetch.
@@ -30,7 +30,7 @@
     .print("the can is at the start");
     .stopMAS.
 
-// an agent that does not see does not drive
+// without percepts the agent does not drive
 +stale(_) : not wheels::moving(no) <- !wheels::halt.
 
 -!fetch[error_msg(Why)] <- .print(Why); .stopMAS(0, 1).

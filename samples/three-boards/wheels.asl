@@ -1,4 +1,4 @@
-// A module for a board with wheels: its percepts and actions are in the namespace in which this file is included.
+// A module for a board with wheels. The module's percepts and actions are in the namespace of the include.
 
 +!drive(Direction) : not moving(Direction) <- argo.act(Direction).
 +!drive(_).

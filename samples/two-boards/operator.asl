@@ -1,4 +1,4 @@
-// Works with two boards in turn. Both stay open; the agent perceives the one in use and sends commands to it.
+// Works with two boards alternately. Both boards stay open. The agent perceives the current board and sends it commands.
 
 !work.
 

@@ -14,8 +14,8 @@ import samples.turtle.TurtleCommand
 import kotlin.system.exitProcess
 
 /**
- * Runs the sample that the arguments name, and ends the program with its exit status, which is 2 for wrong arguments. `demo` runs the
- * sample `collision`. The property `argo.command` contains the words that the user has typed before the command's name.
+ * Runs the sample that the arguments name. Ends the program with its exit status, which is 2 for wrong arguments. `demo` runs the sample
+ * `collision`. The property `argo.command` contains the words that the user typed before the command's name.
  */
 fun main(args: Array<String>) {
     val (commands, arguments) = program(args)
@@ -57,7 +57,6 @@ private fun CommandLine.addProject(name: String, vararg description: String): Co
     return addSubcommand(name, sample)
 }
 
-/** A sample without options, which runs the Jason project [name] until its agents end it. */
 @Command
 private class ProjectCommand(private val name: String) : ToolCommand() {
     override fun call(): Int = MasRun(SampleProject(name)).toItsEnd()

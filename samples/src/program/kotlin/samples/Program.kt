@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A Java program in another process, with the class path of the tests. The program's output is read line by line. */
+/** A Java program in another process, with the class path of the tests. */
 internal class Program private constructor(private val process: Process) : AutoCloseable {
     private val unread = LinkedBlockingQueue<String>()
     private val printed = StringBuffer()
@@ -16,7 +16,6 @@ internal class Program private constructor(private val process: Process) : AutoC
         }
     }
 
-    /** Reads on until a line contains [text]. */
     fun awaitLine(text: String): String {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
         while (true) {
@@ -26,20 +25,18 @@ internal class Program private constructor(private val process: Process) : AutoC
         }
     }
 
-    /** Waits until the program has ended. Returns its exit status and its output. */
     fun awaitEnd(): Pair<Int, String> {
         if (!process.waitFor(DEADLINE_S, TimeUnit.SECONDS)) throw AssertionError("it still runs after $DEADLINE_S s; it printed:\n$printed")
         reader.join()
         return process.exitValue() to printed.toString().trimEnd()
     }
 
-    /** Presses Enter. */
     fun enter() = process.outputStream.run {
         write('\n'.code)
         flush()
     }
 
-    /** Asks the program to end, like Ctrl-C. */
+    /** Ends the program like Ctrl-C. */
     fun interrupt() = process.destroy()
 
     override fun close() {
@@ -49,7 +46,7 @@ internal class Program private constructor(private val process: Process) : AutoC
     companion object {
         private const val DEADLINE_S = 300L
 
-        /** The Java of the tests. A program that ends soon does not pay for an optimizing compiler. */
+        /** The Java of the tests. Short programs do not profit from an optimizing compiler. */
         private val java =
             listOf("${Path.of(System.getProperty("java.home"), "bin", "java")}", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
@@ -58,7 +55,7 @@ internal class Program private constructor(private val process: Process) : AutoC
             return Program(ProcessBuilder(command).directory(directory.toAbsolutePath().toFile()).redirectErrorStream(true).start())
         }
 
-        /** Starts the sample program with [arguments] in a terminal of the kind [term]. */
+        /** Starts the sample program with [arguments]. The program's environment variable `TERM` is [term]. */
         fun inTerminal(term: String, vararg arguments: String): Program {
             val command = "${java.joinToString(" ")} samples.MainKt ${arguments.joinToString(" ")}"
             val builder = ProcessBuilder("socat", "-", "EXEC:\"$command\",pty,setsid,ctty,stderr").redirectErrorStream(true)
@@ -71,10 +68,9 @@ internal class Program private constructor(private val process: Process) : AutoC
 
         fun samples(vararg arguments: String) = start("samples.MainKt", *arguments)
 
-        /** Runs the sample program with [arguments] to its end. */
         fun run(vararg arguments: String): Pair<Int, String> = samples(*arguments).use { it.awaitEnd() }
 
-        /** Starts the project [name] like any Jason project, without ARGO's own programs. */
+        /** Starts the project [name] as a plain Jason project, without ARGO's own programs. */
         fun jason(name: String) =
             start("jason.infra.local.RunLocalMAS", "$name.mas2j", "--no-net", directory = Path.of(name))
     }

@@ -8,7 +8,7 @@ import java.io.PrintWriter
 import java.io.StringWriter
 
 class CommandLineSpec : FunSpec({
-    /** Returns the exit status and the output of the samples with [arguments], without a process of its own for them. */
+    /** Returns the exit status and the output of the samples with [arguments]. Runs them in this process. */
     fun run(vararg arguments: String): Pair<Int, String> {
         val printed = StringWriter()
         val (commands, rest) = program(arrayOf(*arguments))

@@ -12,18 +12,18 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * A board with the Javino library that is in use in the field: version 1 of the protocol, one message at a time.
+ * Simulates a board with the old Javino library: version 1 of the protocol, one message at a time.
  *
- * Between two rounds of its `loop()` the board reads all bytes that have arrived, but has room for only one message. If at most four bytes
- * of the next frame have arrived too, they empty the message, the sketch calls a null pointer, and the board restarts. If more bytes of the
- * next frame have arrived, the board only loses the message.
+ * In each `loop()`, the board reads all bytes that have arrived. The board has room for only one message. Up to four bytes of the next
+ * frame may have arrived, too. These bytes empty the message, the sketch calls a null pointer, and the board restarts. With more bytes of
+ * the next frame, the board only loses the message.
  *
- * While the board sends an answer, it does not read. Every byte of the answer takes ten bit times at the rate of the port. If the percepts
- * do not fit into one message, the board sends several.
+ * The board does not read while it sends an answer. Every byte of the answer takes ten bit times. If the percepts do not fit into one
+ * message, the board sends several.
  *
- * @param clock the clock for the times of bytes; it must be the clock of the line
- * @param loopMs the time of a round of `loop()`, in ms; 0: the board reads every byte when it arrives
- * @param startMs the time of a restart, in ms
+ * @param clock the clock of the line
+ * @param loopMs the duration of `loop()` in ms. 0 means that the board reads every byte when it arrives
+ * @param startMs the duration of a restart in ms
  */
 class FieldBoard(
     private val sketch: Sketch,
@@ -34,16 +34,16 @@ class FieldBoard(
     private var message: String? = null
     private var bytesBehind = 0 // bytes read after the message
 
-    /** How often the board has restarted because frames followed each other too closely. */
+    /** The number of restarts because frames followed each other too closely. */
     @Volatile
     var restarts = 0
         private set
 
     /**
-     * Runs the board on [line]. Ends only by an exception.
+     * Runs the board on [line] until an exception.
      *
-     * @throws javino.PortGoneException when the line is gone
-     * @throws InterruptedException when this thread is interrupted
+     * @throws javino.PortGoneException if the line is lost
+     * @throws InterruptedException if this thread is interrupted
      */
     fun run(line: Transport) {
         message = null
@@ -85,31 +85,31 @@ class FieldBoard(
         decoder.reset()
     }
 
-    /** Puts whole [percepts] into as few messages as possible, at least one. */
+    /** Puts [percepts] into as few messages as possible, but at least one. Does not split a percept. */
     private fun messages(percepts: List<String>) = percepts.fold(listOf("")) { messages, percept ->
         if (messages.last().length + percept.length >= Frame.MAX_PAYLOAD) messages + "$percept;"
         else messages.dropLast(1) + "${messages.last()}$percept;"
     }
 
     private companion object {
-        /** The board restarts if it reads 1 to this many bytes of the next frame after a message. With more, it loses the message. */
+        /** With 1 to this many bytes of the next frame behind a message, the board restarts. With more, it loses the message. */
         const val CLEARING = 4
         const val WRITE_LIMIT_MS = 30_000
     }
 }
 
 /**
- * The unread bytes of a board. The board reads bytes one by one, but reads all bytes that arrived while it was busy as one burst.
+ * The unread bytes of a board. The board reads bytes one by one. Bytes that arrived while it was busy form one burst.
  *
- * A busy computer may wake the simulated board too late. Bytes that have arrived after the right time do not belong to the burst: otherwise
- * this board would lose commands that a real board does not lose.
+ * A busy computer may wake the simulated board too late. Bytes that arrive after the right time do not belong to the burst. A real board
+ * would not lose their commands.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
     private val arrived = ByteArray(MAX_WAITING)
     private var waiting = ByteArray(0)
     private var burst = 0
 
-    /** Waits until [end] by the line's clock. Only bytes that came by then are the burst, even if this function returns later. */
+    /** Waits until [end] by the line's clock. Only bytes that arrived by then form the burst, even if this function returns later. */
     fun lookAwayUntil(end: Long) {
         do {
             val left = end - clock.nanos()
@@ -120,7 +120,7 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
         } while (left > 0)
     }
 
-    /** Returns the next bytes to read, after a round of the loop that takes [loopNanos]; empty if no bytes came for a while. */
+    /** Returns the next bytes to read after a `loop()` of [loopNanos]. The array is empty if no bytes arrived for a while. */
     fun take(loopNanos: Long): ByteArray {
         if (loopNanos > 0 && burst == 0) lookAwayUntil(clock.nanos() + loopNanos) else if (waiting.isEmpty()) read(1, READ_LIMIT_MS)
         val count = if (loopNanos > 0) burst else maxOf(burst, minOf(1, waiting.size))

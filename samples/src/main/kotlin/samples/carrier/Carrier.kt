@@ -5,20 +5,20 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
 /**
- * A robot on a straight way with a can at its end. The robot can drive to the can, grip it and bring it back. The robot's three boards
- * share this object. Any thread may call its functions.
+ * A robot on a straight track with a can at its end. The robot can drive to the can, grip it and bring it back. The robot's three boards
+ * share this object. Safe for use by several threads.
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
     private var since = clock.nanos()
     private var wayBefore = 0.0
     private var hand = Hand.OPEN
-    private var can: Double? = CAN_CM // the distance of the can from the start, in cm; null: it is in the hand
+    private var can: Double? = CAN_CM // the distance of the can from the start in cm, or null while it is in the hand
 
     @get:Synchronized
     val direction: Direction get() = moving
 
-    /** The robot's distance from its start, in cm, at least 0. */
+    /** The robot's distance from its start in cm, at least 0. */
     @get:Synchronized
     val way: Double
         get() = (wayBefore + moving.sign * SPEED_CM_S * (clock.nanos() - since).nanoseconds.toDouble(DurationUnit.SECONDS))
@@ -27,7 +27,7 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val grasp: Hand get() = hand
 
-    /** The distance from the robot to the can in front of it, in cm; [FAR_CM] if the can is in the hand. */
+    /** The distance to the can in front of the robot in cm, or [FAR_CM] while the can is in the hand. */
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
@@ -38,7 +38,7 @@ internal class Carrier(private val clock: LineClock) {
         moving = direction
     }
 
-    /** Closes the robot's hand, which grips the can if the can is near enough. */
+    /** Closes the hand. If the can is near enough, the hand grips it. */
     @Synchronized
     fun grip() {
         if (hand == Hand.FULL) return
@@ -49,7 +49,7 @@ internal class Carrier(private val clock: LineClock) {
         }
     }
 
-    /** Opens the robot's hand, and puts a can that is in the hand down in front of the robot. */
+    /** Opens the hand, and puts a can in it down in front of the robot. */
     @Synchronized
     fun release() {
         if (hand == Hand.FULL) {
@@ -59,14 +59,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** A direction. Percepts have the [word] for it. */
+    /** A direction. [word] is its name in percepts. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** A state of the robot's hand. Percepts have the [word] for it. */
+    /** A state of the robot's hand. [word] is its name in percepts. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),
@@ -74,12 +74,11 @@ internal class Carrier(private val clock: LineClock) {
     }
 
     companion object {
-        /** The distance of the can from the robot's start, in cm. */
         const val CAN_CM = 60.0
 
         const val REACH_CM = 12.0
 
-        /** The reading of the distance sensor if nothing is in front of the robot, in cm. */
+        /** The distance reading in cm if nothing is in front of the robot. */
         const val FAR_CM = 200.0
 
         const val SPEED_CM_S = 20.0

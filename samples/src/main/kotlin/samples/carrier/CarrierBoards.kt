@@ -6,7 +6,7 @@ import javino.wire.BoardAction
 import samples.carrier.Carrier.Direction
 import kotlin.math.roundToInt
 
-/** The robot, which the three boards of this program share. */
+/** The robot of the three boards in this program. */
 private val carrier by lazy { Carrier(LineClock.system()) }
 
 /** A simulated board of the robot, which runs [sketch] and logs its actions. */
@@ -23,23 +23,26 @@ abstract class CarrierBoard internal constructor(private val name: String, priva
     }
 }
 
-/** The sketch of one of the robot's boards. [deeds] are its actions, each with its name. */
+/** The sketch of one board of the robot. [deeds] are its actions, by name. */
 internal abstract class Part(private vararg val deeds: Pair<String, () -> Unit>) : Sketch {
     final override fun actions() = deeds.map { BoardAction(it.first, 0) }
 
     final override fun act(command: String): Boolean = deeds.toMap()[command]?.invoke() != null
 }
 
-/** `sim:wheels`, the board of the sample `three-boards` that drives. */
+/** `sim:wheels`, the board with the wheels in the sample `three-boards`. */
 class WheelsBoard : CarrierBoard("wheels", Wheels(carrier))
 
-/** `sim:sensors`, the board that sees. */
+/** `sim:sensors`, the board with the distance sensor. */
 class SensorsBoard : CarrierBoard("sensors", Eyes(carrier))
 
-/** `sim:arm`, the board that grips. */
+/** `sim:arm`, the board with the hand. */
 class ArmBoard : CarrierBoard("arm", Arm(carrier))
 
-/** Actions `forward`, `backward`, `halt`; percepts `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
+/**
+ * The actions are `forward`, `backward` and `halt`. The percepts are `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)`
+ * from the start.
+ */
 internal class Wheels(private val carrier: Carrier) : Part(
     "forward" to { carrier.move(Direction.FORWARD) }, "backward" to { carrier.move(Direction.BACKWARD) },
     "halt" to { carrier.move(Direction.NO) },
@@ -47,15 +50,15 @@ internal class Wheels(private val carrier: Carrier) : Part(
     override fun percepts() = listOf("moving(${carrier.direction.word})", "way(${carrier.way.roundToInt()})")
 }
 
-/** Percept `dist(front,Cm)`. */
+/** The percept is `dist(front,Cm)`. */
 internal class Eyes(private val carrier: Carrier) : Part() {
     override fun percepts() = listOf("dist(front,${carrier.free.roundToInt()})")
 }
 
-/** Actions `grip`, `release`, `halt`; percept `hand(open)`, `hand(closed)` or `hand(full)`. */
+/** The actions are `grip`, `release` and `halt`. The percept is `hand(open)`, `hand(closed)` or `hand(full)`. */
 internal class Arm(private val carrier: Carrier) : Part(
     "grip" to { carrier.grip() }, "release" to { carrier.release() },
-    "halt" to {}, // the hand moves at once, so there is nothing to halt
+    "halt" to {}, // the hand moves at once and cannot be halted
 ) {
     override fun percepts() = listOf("hand(${carrier.grasp.word})")
 }

@@ -8,11 +8,11 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * The spectators who watch a run in browsers. The run waits for the first one, since opening a browser takes longer than a run.
+ * The spectators of a run in browsers. The run waits for the first one, since opening a browser takes longer than a run.
  *
- * @property port the port of the agent's view; 0: any free port
- * @property waitS the time for which the run waits, in s
- * @property keyboard the standard input: a line from it also starts the run; the end of the input does not
+ * @property port the port of the agent's view, or 0 for any free port
+ * @property waitS the longest wait for a spectator, in s
+ * @property keyboard the standard input. A line from it also starts the run, and its end does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)
@@ -21,8 +21,8 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private var conclusion: String? = null
 
     /**
-     * Prints the address of [view], shows [picture] there, and waits for the first browser. If [view] is null, only prints that there is
-     * none.
+     * Prints the address of [view], shows [picture] there, and waits for the first browser. If [view] is null, only prints that there is no
+     * view.
      */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {
@@ -30,7 +30,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
             return
         }
         view.show {
-            firstBrowser.countDown() // the view asks for a picture only when it has a spectator
+            firstBrowser.countDown() // the view requests a picture only for a spectator
             picture().drawn(conclusion)
         }
         val waiting = if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else ""
@@ -43,7 +43,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
         while (System.nanoTime() < deadline) if (firstBrowser.await(LOOK_MS, TimeUnit.MILLISECONDS) || isEntered()) return
     }
 
-    /** Shows [words] about the end of the run below the picture. */
+    /** Shows [words], the result of the run, below the picture. */
     fun conclude(words: String) {
         conclusion = words
     }

@@ -117,7 +117,7 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
-    /** Makes the robot drive again and again until Ctrl-C, with an agent whose program in [folder] a person edits. */
+    /** Makes the robot drive repeatedly until Ctrl-C. The user edits the agent's program in [folder]. */
     private fun edited(levels: Levels, audience: Audience?, folder: Path): Int {
         val program = folder.resolve(PROGRAM)
         if (!folder.exists()) SampleProject("collision").copy(FILES, folder)
@@ -129,7 +129,7 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
-    /** Does [action] on Ctrl-C. A shutdown hook would be too late, since jSerialComm's hook may have closed the ports by then. */
+    /** Does [action] on Ctrl-C. A shutdown hook would be too late, since jSerialComm's own hook may already have closed the ports. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {
@@ -166,7 +166,7 @@ internal class CollisionCommand : ToolCommand() {
     private companion object {
         const val PROGRAM = "robot.asl"
         val FILES = listOf(PROGRAM, "filters/frontDistance.xml", "filters/frontSide.xml")
-        const val INTERRUPTED = 130 // the exit status of shells for Ctrl-C
+        const val INTERRUPTED = 130 // the exit status that shells use for Ctrl-C
         const val MAX_PORT = 65_535
         const val WAIT_S = 60
         const val MAX_WAIT_S = 3600

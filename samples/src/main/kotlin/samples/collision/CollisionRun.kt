@@ -16,7 +16,7 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** The variables of a run; the options of [CollisionCommand] explain them. If the robot is simulated, [port] is null. */
+/** The variables of a run. The options of [CollisionCommand] explain them. [port] is null for a simulated robot. */
 internal data class Levels(
     val filter: String,
     val limit: Int,
@@ -31,9 +31,9 @@ internal data class Levels(
 /**
  * A run of the collision experiment.
  *
- * @param audience the spectators in a browser; null: none
- * @param program the agent's program, which a person edits while the robot drives: when the program is saved, the agent is reloaded, and
- *   after each drive the simulated robot is put back; null: the program of the sample, for one drive
+ * @param audience the spectators in a browser, or null for none
+ * @param program the agent's program, which the user edits while the robot drives, or null for one drive with the sample's program. Saving
+ * the program reloads the agent. After each drive, the simulated robot is put back
  */
 internal class CollisionRun(
     private val levels: Levels,
@@ -72,7 +72,7 @@ internal class CollisionRun(
         return createLiteral("boards", createList(ports))
     }
 
-    /** Runs the experiment and returns its verdict. Without an edited program it always ends by itself. Call this once. */
+    /** Runs the experiment and returns its verdict. The run always ends, unless the user edits the program. Call this function once. */
     fun run(): Verdict {
         val scene = scene()
         try {
@@ -91,13 +91,13 @@ internal class CollisionRun(
         }
     }
 
-    /** A warning if a real robot may still drive after the end of the run; null: no robot can. */
+    /** A warning if a real robot may still drive after the run, or null. */
     val warning: String?
         get() = levels.port?.takeIf { witness.beliefs.mayDrive }?.let { "the robot on $it may still drive: its agent could not send stop" }
 
     /**
-     * Aborts the run. Stops a real robot unless its agent has done so, since a board's motors keep their last command. Takes at most
-     * [HALT_LIMIT_S] s. Any thread may call this.
+     * Aborts the run. Stops a real robot if its agent has not done so. The motors keep their last command. Takes at most [HALT_LIMIT_S] s.
+     * Safe for use by several threads.
      */
     fun abandon() {
         progress.end()
@@ -127,7 +127,7 @@ internal class CollisionRun(
         }
     }
 
-    /** Puts the robot back. When the agent has perceived the new distance, makes it drive again. */
+    /** Puts the robot back. Makes it drive again after the agent has perceived the new distance. */
     private fun driveAgain() {
         mas.awaitEnd(REST_MS)
         robot.putBack()
@@ -140,17 +140,17 @@ internal class CollisionRun(
     private companion object {
         const val AGENT = "robot"
 
-        /** Orders that remove what a drive may have left in the agent's mind. */
         val LEFT = listOf(Order.Drop("moving"), Order.Forget("status(_)"))
         val OPEN = setOf("on", "timeout")
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
-        /** The longest time for the board's answer, in ms: three times as long as an answer at 9600 baud while a command waits. */
+        /**
+         * The longest wait for the board's answer in ms. The wait is three times the time of an answer at 9600 baud with a waiting command.
+         */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
 
-        /** The time from the end of a drive until the robot is put back, in ms. */
         const val REST_MS = 2000L
         const val MAX_S = 60L
         const val HALT_LIMIT_S = 1L

@@ -5,20 +5,20 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.DurationUnit
 
 /**
- * The way of a robot towards a wall: its distance from the wall at any instant, which follows from its commands.
+ * The way of a robot towards a wall. A course gives the distance from the wall at any time, according to the robot's commands.
  *
- * The robot drives at a constant speed, and starts and stops at once: at 10 cm/s a wheeled robot coasts for less than a millimetre, the
- * unit of the results. When the distance reaches 0, the robot has collided and stays there.
+ * The robot drives at a constant speed, and starts and stops at once. At 10 cm/s, a wheeled robot coasts for less than a millimetre, the
+ * unit of the results. At the distance 0, the robot has collided and stays there.
  *
- * Immutable: a command makes a new course. Instants are ns of any one steady clock, distances are cm from the wall to the robot's front.
+ * Immutable. A command makes a new course. Times are ns of one steady clock. Distances are cm from the wall to the robot's front.
  */
 class Course private constructor(private val legs: List<Leg>) {
     private class Leg(val start: Long, val distance: Double, val drives: Boolean)
 
-    /** Returns the course after a command to drive at [now], which is this course if the robot already drives or has collided. */
+    /** Returns the course after a command to drive at [now]. If the robot already drives or has collided, returns this course. */
     fun drive(now: Long): Course = if (stateAt(now).let { it == State.STANDING || it == State.STOPPED }) then(now, true) else this
 
-    /** Returns the course after a command to stop at [now], which is this course if the robot does not drive. */
+    /** Returns the course after a command to stop at [now]. If the robot does not drive, returns this course. */
     fun stop(now: Long): Course = if (stateAt(now) == State.DRIVING) then(now, false) else this
 
     private fun then(now: Long, drives: Boolean) = Course(legs + Leg(now, distanceAt(now), drives))
@@ -37,13 +37,13 @@ class Course private constructor(private val legs: List<Leg>) {
         else -> State.STANDING
     }
 
-    /** The instant at which the robot first drove; null: it never has. */
+    /** The time at which the robot first drove, or null if it never has. */
     val departure: Long? get() = legs.firstOrNull { it.drives }?.start
 
-    /** The instant of the last command that stopped the robot; null: the robot was never stopped, or has been started again. */
+    /** The time of the last command that stopped the robot. Null if it was never stopped, or was started again. */
     val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
 
-    /** Returns the instant at which the robot was first [cm] from the wall; null if the robot has not been so near by [now]. */
+    /** Returns the time at which the robot was first [cm] from the wall, or null if it has not been so near by [now]. */
     fun reached(cm: Double, now: Long): Long? {
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
@@ -54,29 +54,22 @@ class Course private constructor(private val legs: List<Leg>) {
         return null
     }
 
-    /** The states of a robot. */
     enum class State {
-        /** The robot has never driven. */
         STANDING,
 
-        /** The robot drives towards the wall. */
         DRIVING,
 
-        /** The robot has driven and was stopped in front of the wall. */
         STOPPED,
 
-        /** The robot has run into the wall. */
         COLLIDED,
     }
 
     companion object {
-        /** The distance from the wall at which the robot of the experiment starts, in cm. */
         const val START_CM = 200.0
 
-        /** The speed of the robot of the experiment, in cm/s. */
         const val SPEED_CM_S = 10.0
 
-        /** Returns the course of a robot that does not drive, [START_CM] from the wall, from [now] on. */
+        /** Returns the course of a robot that stands [START_CM] from the wall, from [now] on. */
         fun standing(now: Long): Course = Course(listOf(Leg(now, START_CM, drives = false)))
     }
 }

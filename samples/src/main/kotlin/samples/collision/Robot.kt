@@ -7,10 +7,10 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.random.Random
 
 /**
- * A 4WD robot in front of a wall. The robot drives with `front` and halts with `stop`. `ledLightOn`, `ledLightOff`, `ledTempOn` and
- * `ledTempOff` switch its two lamps.
+ * A 4WD robot in front of a wall. The command `front` makes it drive, and `stop` makes it halt. `ledLightOn`, `ledLightOff`, `ledTempOn`
+ * and `ledTempOff` switch its two lamps.
  *
- * @param noticed called with each change of the robot's state when the board notices the change, at its next message
+ * @param noticed called with each change of the robot's state, when the board handles its next message
  */
 class Robot(
     private val clock: LineClock, private val sensors: Sensors, private val noticed: (Course, Course.State) -> Unit = { _, _ -> },
@@ -18,20 +18,20 @@ class Robot(
     private val way = AtomicReference(Course.standing(clock.nanos()))
     private var lastNoticed = Course.State.STANDING
 
-    /** Makes a robot with twelve sensors, whose noise comes from [random]. */
+    /** Makes a robot with twelve sensors. [random] determines their noise. */
     constructor(
         clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
     ) : this(clock, Sensors(random), noticed)
 
-    /** The robot's course by the commands so far. Any thread may ask. */
+    /** The robot's course up to now. Safe for use by several threads. */
     val course: Course get() = way.get()
 
-    /** Those of the lamps `light` and `temp` that are on. Any thread may ask. */
+    /** The lamps that are on, `light` and `temp`. Safe for use by several threads. */
     @Volatile
     var lamps: Set<String> = emptySet()
         private set
 
-    /** Puts the robot back to its start, where it does not drive. Any thread may call this. */
+    /** Puts the robot back to its start, where it stands. Safe for use by several threads. */
     fun putBack() = way.set(Course.standing(clock.nanos()))
 
     override fun actions() = ACTIONS.map { BoardAction(it, 0) }

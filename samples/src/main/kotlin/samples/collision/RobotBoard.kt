@@ -9,7 +9,7 @@ import kotlin.random.Random
 
 /** `sim:robot`, the robot and the wall of the collision experiment. Opening its port again does not move the robot. */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    /** Makes the board that a Jason project finds as a service. This board logs what the robot does. */
+    /** Makes the board for a Jason project. ServiceLoader calls this constructor. The board logs the robot's actions. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
     override fun name() = name
@@ -17,13 +17,12 @@ class RobotBoard internal constructor(private val name: String, private val sket
     override fun run(line: Transport) = FieldBoard(sketch).run(line)
 
     internal companion object {
-        /** The board's name after `sim:`. */
         const val NAME = "robot"
 
-        /** The name of the board for the sensors, if the robot has two boards. */
+        /** The name of the board for the sensors of a robot with two boards. */
         const val SENSORS = "robot-sensors"
 
-        /** Returns so many [boards] of [robot]: a single one, or one with wheels and lamps and one with the sensors. */
+        /** Returns the [boards] boards of [robot]: one, or one with wheels and lamps and one with the sensors. */
         fun of(robot: Robot, boards: Int): List<RobotBoard> =
             if (boards == 1) listOf(RobotBoard(NAME, robot))
             else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))
@@ -44,7 +43,6 @@ private class Senses(private val robot: Robot) : Sketch {
     override fun act(command: String) = false
 }
 
-/** Logs what the robot does. */
 internal fun log(course: Course, state: Course.State) = System.getLogger("samples.robot").log(
     System.Logger.Level.INFO,
     when (state) {

@@ -2,24 +2,24 @@ package samples.collision
 
 import javino.LineClock
 
-/** A running experiment as spectators see it. */
+/** A running experiment for spectators. */
 internal interface Scene {
-    /** Returns a few facts about the run, such as `distance 87.3 cm`, `driving` and `4.2 s`. */
+    /** Returns facts about the run, such as `distance 87.3 cm`, `driving` and `4.2 s`. */
     fun look(): List<String>
 
-    /** Returns a picture of the run. Any thread may call this. */
+    /** Returns a picture of the run. Safe for use by several threads. */
     fun picture(): TrackPicture
 
-    /** Returns the result; null while the run lasts. */
+    /** Returns the result, or null during the run. */
     fun verdict(): Verdict?
 
-    /** Returns the verdict on a run that is ended after [seconds] s, since it takes too long. */
+    /** Returns the verdict on a run that was ended after [seconds] s because it took too long. */
     fun overdue(seconds: Long): Verdict
 }
 
 /**
- * The scene of the simulated [robot], whose true place is known. When the robot has stopped, the run ends only if the agent believes that
- * it has stopped the robot: an agent that still waits for its board's answer will go on.
+ * The scene of the simulated [robot], whose true position is known. A run ends only when the agent believes that it has stopped the robot.
+ * An agent that still waits for an answer would continue to drive.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -60,7 +60,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** The scene of a real robot on [port]. Only the agent's beliefs tell where the robot is. */
+/** The scene of a real robot on [port]. Only the agent's beliefs tell its position. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

@@ -4,15 +4,15 @@ import kotlin.math.ceil
 import kotlin.random.Random
 
 /**
- * The twelve sensors of the robot: distance (cm), light (0 to 1023, like an analogue input) and temperature (°C) at its front, back, right
- * and left. A robot with more sensors has several sets of twelve at the same places. The sides of the second set are called `f2`, `b2` and
- * so on.
+ * The twelve sensors of the robot. The sensors measure distance (cm), light (0 to 1023, as an analogue input) and temperature (°C) at the
+ * robot's front, back, right and left. A robot with more sensors has several sets of twelve at these places. The sides of the second set
+ * are `f2`, `b2` and so on.
  *
- * Every reading has noise, and no sensor gives the same reading twice in a row. So all twelve percepts change from frame to frame. Percepts
- * that all change are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is
- * rounded up to a whole cm, and up to [DISTANCE_NOISE] cm longer. The room is [ROOM_CM] long.
+ * Every reading has noise, and no sensor repeats a reading at once. All twelve percepts therefore change in each frame. Changes of all
+ * percepts are the worst case for an agent, and real sensors come close to it. A distance reading is never too short. The distance is
+ * rounded up to a whole cm, plus up to [DISTANCE_NOISE] cm. The room is [ROOM_CM] long.
  *
- * For one thread.
+ * Not safe for use by several threads at once.
  *
  * @param sets the number of the robot's sets of twelve sensors, at least 1
  */
@@ -23,7 +23,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         require(sets >= 1) { "a robot has at least one set of sensors, not $sets" }
     }
 
-    /** Returns the percepts of one frame, from `dist(f,123)` to `temp(l,25)`, of a robot whose front is [distance] cm from the wall. */
+    /** Returns the percepts of one frame, from `dist(f,123)` to `temp(l,25)`. The robot's front is [distance] cm from the wall. */
     fun frame(distance: Double): List<String> = buildList {
         for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
             val place = if (set == 1) "$side" else "$side$set"
@@ -40,13 +40,12 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
     private class Kind(val functor: String, val noise: IntRange, val level: (side: Char, distance: Double) -> Int)
 
     companion object {
-        /** The number of sensors in a set: three kinds on four sides. */
         const val PER_SET = 12
 
-        /** A distance reading exceeds the true distance, rounded up, by at most this, in cm. */
+        /** The greatest excess of a distance reading over the rounded-up true distance, in cm. */
         const val DISTANCE_NOISE = 1
 
-        /** The length of the room in cm, from the wall in front to the wall behind, less the robot's own length. */
+        /** The length of the room in cm from the front wall to the back wall, minus the robot's length. */
         const val ROOM_CM = 400.0
 
         private const val AISLE_CM = 80.0

@@ -6,16 +6,18 @@ import kotlin.math.roundToInt
 /**
  * The robot on its track, to scale.
  *
- * @property distance the distance of the robot's front from the wall in cm; null: not known
+ * @property distance the distance of the robot's front from the wall in cm, or null if it is not known
  * @property limit the distance from the wall at which the robot should stop, in cm
- * @property range the length of the track in the picture, in cm, above 0
+ * @property range the length of the track in the picture in cm, above 0
  * @property doing the robot's state, such as `driving`
  */
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
-    /** Draws the track for the live view, with [caption] below it; null: the distance and the robot's state are the caption. */
+    /**
+     * Draws the track for the live view, with [caption] below it. If [caption] is null, the caption is the distance and the robot's state.
+     */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
-    /** Draws the track in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
+    /** Draws the track as [CELLS] characters for a terminal: `o=o>` is the robot, `:` the limit and `|` the wall. */
     fun line(): String {
         val floor = CharArray(CELLS) { '_' }
         floor[cell(limit.toDouble())] = ':'
@@ -23,13 +25,12 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         return floor.concatToString() + '|'
     }
 
-    /** Returns the index of the character that is [distance] cm left of the wall. */
     private fun cell(distance: Double): Int {
         val first = ONE_LINE_ROBOT.length - 1 // the front of a robot at the left edge
         return first + ((CELLS - 1 - first) * (1 - share(distance))).roundToInt()
     }
 
-    /** Draws the SVG. It has no `viewBox`: so it is as wide as the page, percentages are of that width, and letters keep their size. */
+    /** Draws the SVG. Without a `viewBox`, it is as wide as the page. Percentages refer to that width, and letters keep their size. */
     private fun svg(stop: Double = place(limit.toDouble())) = """
         <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
           <style>
@@ -61,10 +62,8 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
     private fun share(distance: Double) = (distance / range).coerceIn(0.0, 1.0)
 
     private companion object {
-        /** The place of the wall, in percent of the width. */
         const val WALL = 98.0
 
-        /** The part of the width for the robot, in percent. */
         const val ROBOT = 20.0
         const val ONE_LINE_ROBOT = "o=o>"
         const val CELLS = 36

@@ -4,14 +4,17 @@ import java.util.Locale
 
 /** The result of a run of the collision experiment. [exitStatus] is the program's exit status: 0 if the robot was stopped. */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
-    /** The robot was stopped [distance] cm from the wall, [nanosAfter] ns after crossing the limit; null: before the limit. */
+    /**
+     * The robot was stopped [distance] cm from the wall. The stop came [nanosAfter] ns after the limit, or before the limit if [nanosAfter]
+     * is null.
+     */
     class Stopped(distance: Double, limit: Int, nanosAfter: Long?) : Verdict(
         "stopped ${cm(distance)} cm from the wall, " +
             if (nanosAfter == null) "before the $limit cm limit" else "${nanosAfter / 1_000_000} ms after the $limit cm limit",
         0,
     )
 
-    /** The robot ran into the wall [nanosAfter] ns after it crossed the limit. */
+    /** The robot ran into the wall [nanosAfter] ns after the limit. */
     class Collided(limit: Int, nanosAfter: Long) :
         Verdict("ran into the wall: the agent had not stopped the robot ${seconds(nanosAfter)} s after the $limit cm limit", 1)
 
@@ -22,12 +25,9 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
         0,
     )
 
-    /** Nothing was measured. */
     class Failed(why: String) : Verdict(why, 1)
 }
 
-/** Writes [distance], in cm, in the format of the samples: `38.6`. */
 internal fun cm(distance: Double): String = String.format(Locale.ROOT, "%.1f", distance)
 
-/** Writes [nanos] as seconds: `4.2`. */
 internal fun seconds(nanos: Long): String = String.format(Locale.ROOT, "%.1f", nanos / 1e9)

@@ -9,14 +9,14 @@ import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.StringTerm
 
 /**
- * Tells other threads the beliefs of an agent that stops a robot. Jason's belief base belongs to the agent's thread, so the agent's thread
- * reads it, at the end of each reasoning cycle.
+ * Shows other threads the beliefs of an agent that stops a robot. Jason's belief base belongs to the agent's thread. The agent's thread
+ * reads the beliefs at the end of each reasoning cycle.
  *
- * @param changed called by the agent's thread at each change of the front distance that the agent believes, with the numbers of events and
- *   intentions that remain
+ * @param changed called by the agent's thread at each change of the believed front distance, with the numbers of remaining events and
+ * intentions
  */
 class Witness(private val changed: (front: Double?, events: Int, intentions: Int) -> Unit = { _, _, _ -> }) : AgArch() {
-    /** The beliefs at the end of the last reasoning cycle. Any thread may ask. */
+    /** The beliefs at the end of the last reasoning cycle. Safe for use by several threads. */
     @Volatile
     var beliefs = Beliefs()
         private set
@@ -37,17 +37,17 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     private fun all(functor: String, arity: Int): Sequence<Literal> =
         ts.ag.bb.getCandidateBeliefs(PredicateIndicator(functor, arity))?.asSequence().orEmpty()
 
-    /** Makes the agent stop its robot at once, whatever the agent is doing. Does not wait until the robot has stopped. */
+    /** Makes the agent stop its robot at once, whatever it is doing. Does not wait for the stop. */
     fun haltRobot() {
         ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
         firstAgArch.wakeUpSense()
     }
 
     /**
-     * @property distance the front distance in cm; null: the agent has perceived none
-     * @property status `front` while the agent lets the robot drive, `stopped` after the agent has stopped it; null: neither yet
-     * @property trouble the reason why the agent cannot go on; null: it can
-     * @property port the state of the agent's port: `on`, `off` or `timeout`; null: the agent has not asked for a port
+     * @property distance the front distance in cm, or null if the agent has perceived none
+     * @property status `front` while the robot drives, `stopped` after the agent has stopped it, or null before that
+     * @property trouble the reason why the agent cannot continue, or null
+     * @property port the state of the agent's port, `on`, `off` or `timeout`, or null if it has no port
      */
     data class Beliefs(
         val distance: Double? = null,
@@ -57,7 +57,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     ) {
         val isStopped: Boolean get() = status == STOPPED
 
-        /** Whether the agent has made its robot drive and has not stopped it since. */
+        /** True if the agent has started its robot and not stopped it since. */
         val mayDrive: Boolean get() = status != null && !isStopped
     }
 

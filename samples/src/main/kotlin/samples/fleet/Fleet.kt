@@ -11,9 +11,9 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * The computers of the sample `fleet`, each a process: `base` with the coordinator, and two scouts.
+ * The computers of the sample `fleet`, one process each: `base` with the coordinator, and two scouts.
  *
- * @property ports the ports at which the computers listen, by the computers' names
+ * @property ports the ports of the computers, by computer name
  */
 internal class Fleet private constructor(
     private val project: Path,
@@ -24,10 +24,9 @@ internal class Fleet private constructor(
 ) : AutoCloseable {
     private val computers = ports.keys.associateWithTo(LinkedHashMap(), ::Computer)
 
-    /** Ends the process of [computer] as abruptly as a power failure. */
+    /** Kills the process of [computer] at once, like a power failure. */
     fun kill(computer: String) = computers.getValue(computer).kill()
 
-    /** Starts the process of [computer] again. */
     fun start(computer: String) {
         computers[computer] = Computer(computer)
     }
@@ -39,7 +38,7 @@ internal class Fleet private constructor(
         project.parent.toFile().deleteRecursively()
     }
 
-    /** The computer that the `.mas2j` calls [name], after `at`: a process in the directory of the project. */
+    /** The computer that the `.mas2j` names [name] behind `at`. Each computer is a process in the directory of the project. */
     private inner class Computer(name: String) {
         val process: Process = ProcessBuilder(
             java, "-XX:TieredStopAtLevel=1", "-cp", classPath, "argo.fleet.MainKt", "${project.fileName}", "--at", name,
@@ -58,7 +57,7 @@ internal class Fleet private constructor(
             reader.join()
         }
 
-        /** Asks the process to end, and kills it if it does not end in time. */
+        /** Asks the process to end. Kills it if it does not end in time. */
         fun close() {
             process.destroy()
             if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
@@ -69,17 +68,17 @@ internal class Fleet private constructor(
     companion object {
         private const val PATIENCE_S = 5L
 
-        /** These are below the ports of outgoing connections: the system could use such a port before a computer does. */
+        /** The ports are below those of outgoing connections, which the operating system could use first. */
         private val PORTS = 20_000..31_999
         private val FILES = listOf("fleet.mas2j", "coordinator.asl", "scout.asl")
         private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 
         /**
-         * Starts the computers. They run a copy of the project, which has free ports for them.
+         * Starts the computers. The computers run a copy of the project with free ports.
          *
-         * @param java the path of the program `java`; by default, the one that runs this program
-         * @param classPath the class path; by default, that of this program
-         * @param printed called with each line that the computers print, on several threads
+         * @param java the path of `java`; the default is the Java of this program
+         * @param classPath the class path; the default is that of this program
+         * @param printed called with each printed line of the computers, on several threads
          */
         fun start(
             java: String = Path.of(System.getProperty("java.home"), "bin", "java").toString(),

@@ -7,8 +7,8 @@ import javino.sim.Sketch
 import samples.board.FieldBoard
 
 /**
- * The firmware of a robot that drives to the place P at the command `goto(P)`. Its percept is `driving(P)` on the way, and [TRAVEL_MS] ms
- * later `at(P)`. At first it is `at(home)`.
+ * The firmware of a robot that drives to the place P after `goto(P)`. The percept is `driving(P)` on the way, and `at(P)` after [TRAVEL_MS]
+ * ms. The first percept is `at(home)`.
  */
 class Rover(private val clock: LineClock) : Sketch {
     private var place = "home"
@@ -24,7 +24,7 @@ class Rover(private val clock: LineClock) : Sketch {
     }
 
     companion object {
-        /** The time for the way from any place to any other, in ms. */
+        /** The travel time between any two places, in ms. */
         const val TRAVEL_MS = 400
 
         private val GOTO = Regex("""goto\((\w+)\)""")

@@ -10,17 +10,16 @@ import kotlin.random.Random
 
 /**
  * The greenhouse of the sketch `Greenhouse.ino`: air, soil, sun, a pump and a vent. The sensors are noisy. The day begins at five o'clock.
- * For one thread at a time.
+ * Not safe for use by several threads at once.
  *
  * @param random draws the sensors' noise
- * @param minutes returns the time since five o'clock; it must not go back
+ * @param minutes returns the time since five o'clock, which must not go back
  */
 open class Greenhouse(private val random: Random, private val minutes: () -> Double) : Sketch {
-    private var minute = 0 // the time for which the present state has been computed
+    private var minute = 0 // the time of the current state
     private var isPumping = false
     private var isOpen = false
 
-    /** The temperature of the air in degrees Celsius. */
     var celsius = 14.0
         private set
 

@@ -13,7 +13,7 @@ class GreenhouseBoard : Greenhouse(Random(2016), lapsed(LineClock.system())) {
     }
 }
 
-/** Returns a function that returns the minutes in the greenhouse since the first call of that function. */
+/** Returns a function that gives the minutes in the greenhouse since its first call. */
 private fun lapsed(clock: LineClock): () -> Double {
     val begin by lazy { clock.nanos() }
     return { (clock.nanos() - begin) / NANOS_A_MINUTE }

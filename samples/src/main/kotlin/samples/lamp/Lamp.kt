@@ -6,7 +6,7 @@ import javino.sim.Sketch
  * The firmware of a board with one LED. The actions `ledOn` and `ledOff` switch the LED. The percept is `led(Name,on)` or `led(Name,off)`.
  *
  * @param name the board's name in its percept, an atom
- * @param switched called by the board's thread with each change of the LED
+ * @param switched called by the board's thread at each change of the LED
  */
 class Lamp(private val name: String, private val switched: (on: Boolean) -> Unit) : Sketch {
     private var on = false

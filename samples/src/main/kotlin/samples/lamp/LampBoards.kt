@@ -4,7 +4,7 @@ import javino.Transport
 import javino.sim.SimulatedBoard
 import samples.board.FieldBoard
 
-/** A simulated board with a [Lamp]. The board logs the lamp's changes. */
+/** A simulated board with a [Lamp]. The board logs the changes of the lamp. */
 abstract class LampBoard internal constructor(private val name: String) : SimulatedBoard {
     private val board =
         FieldBoard(Lamp(name) { on -> System.getLogger("samples.$name").log(System.Logger.Level.INFO, "LED ${if (on) "on" else "off"}") })

@@ -10,9 +10,8 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.StreamHandler
 
-/** The log of Jason, ARGO and the agents during a run, one line each: `[robot] port "sim:robot" is on`. */
+/** The log of Jason, ARGO and the agents during a run. Each entry is one line, such as `[robot] port "sim:robot" is on`. */
 object Logs {
-    /** Sends the log to [out]. */
     fun to(out: PrintStream) {
         LogManager.getLogManager().reset()
         Logger.getLogger("").apply {
@@ -55,7 +54,6 @@ internal class LogFile private constructor(val path: Path) : AutoCloseable {
     }
 
     companion object {
-        /** Opens a new log file for the sample [name] in the directory for temporary files. */
         fun open(name: String) = LogFile(Files.createTempFile("argo-$name-", ".log")).apply {
             System.setOut(stream)
             System.setErr(stream)

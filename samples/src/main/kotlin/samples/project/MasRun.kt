@@ -12,8 +12,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Runs a Jason project inside this program, without a window or a network service. The program goes on after an agent has ended the project
- * by `.stopMAS`. Only one project can run at a time, since Jason keeps it in a static field.
+ * Runs a Jason project in this program, without a window or a network service. The program continues after an agent has ended the project
+ * by `.stopMAS`. Only one project can run at a time, since Jason stores it in a static field.
  */
 internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     private val ended = CompletableFuture<Int>()
@@ -21,14 +21,14 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
-        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents' includes
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for the includes of all agents
     }
 
     /**
-     * Creates and starts the agents. Puts each of [witnesses] in front of the architectures of the agent with its name.
+     * Creates and starts the agents. Puts each of [witnesses] in front of the architectures of the agent named by its key.
      *
-     * @param beforeStart called after the agents have been created and before they run
-     * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
+     * @param beforeStart called after the agents are created and before they run
+     * @throws IllegalStateException if an agent cannot be created. The log has Jason's reasons
      */
     fun begin(witnesses: Map<String, AgArch> = emptyMap(), beforeStart: () -> Unit = {}) {
         create()
@@ -41,12 +41,12 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /**
-     * Runs the project until its agents end it, with its log on the standard output. Returns the exit status that the agents give. If the
-     * agents have not ended the project within [MAX_S] s, reports that on the standard error, and returns 1.
+     * Runs the project until its agents end it. Prints its log on the standard output. Returns the exit status of the agents. If the agents
+     * have not ended the project within [MAX_S] s, reports that as an error and returns 1.
      */
     fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
-    /** Runs the project like [toItsEnd], but ends it after [seconds] s, with exit status 0. */
+    /** Works like [toItsEnd], but ends the project after [seconds] s with exit status 0. */
     fun forAtMost(seconds: Int): Int = logged(seconds) ?: 0
 
     private fun logged(seconds: Int): Int? {
@@ -59,16 +59,18 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         }
     }
 
-    /** Returns the live view of [agent]; null: the agent has none. Call this after the agent has been created. */
+    /** Returns the live view of [agent], or null if it has none. Call this function after the agent's creation. */
     fun viewOf(agent: String): AgentView? = archOf(agent).observers.filterIsInstance<AgentView>().firstOrNull()
 
-    /** Returns [agent] as its observers see it. Call this after the agent has been created with ARGO's architecture. */
+    /** Returns [agent] for observers. Call this function after the agent's creation with ARGO's architecture. */
     fun observed(agent: String): ObservedAgent = archOf(agent).observed
 
     private fun archOf(agent: String): Arch =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().first()
 
-    /** Waits until an agent has ended the project, at most [millis] ms. Returns the agent's exit status; null: no agent has ended it. */
+    /**
+     * Waits for up to [millis] ms until an agent has ended the project. Returns the agent's exit status, or null if no agent has ended it.
+     */
     fun awaitEnd(millis: Long): Int? = try {
         ended.get(millis, TimeUnit.MILLISECONDS)
     } catch (_: TimeoutException) {
@@ -77,7 +79,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
 
     fun end() = stopAgs(0)
 
-    /** Notes that an agent has ended the project by `.stopMAS`. */
+    /** Stores that an agent has ended the project by `.stopMAS`. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
         ended.complete(exitValue)
     }

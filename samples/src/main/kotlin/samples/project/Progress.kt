@@ -8,10 +8,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Shows the progress of a run in one line. On a terminal, the line is rewritten in place. Elsewhere, a new line is printed now and then.
- * Safe for use by several threads.
+ * Shows the progress of a run in one line. On a terminal, it rewrites the line. Elsewhere, it prints a new line from time to time. Safe for
+ * use by several threads.
  *
- * @param inPlace whether [out] is a terminal, on which the line is rewritten
+ * @param inPlace true if [out] is a terminal
  */
 class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "
@@ -21,10 +21,10 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
     private var nextPlain = 0L
 
     /**
-     * Shows [facts] side by side. Does nothing after [end].
+     * Shows [facts] in one line. Does nothing after [end].
      *
-     * @param nanos the time since the run began; it must not go back
-     * @param drawing a drawing in front of the facts; it is shown only on a terminal, and if both fit into [MAX_COLUMNS]
+     * @param nanos the time since the start of the run, which must not go back
+     * @param drawing a drawing in front of the facts. The drawing is shown only on a terminal, and only if both fit into [MAX_COLUMNS]
      */
     fun show(facts: List<String>, nanos: Long, drawing: String? = null) = lock.withLock {
         if (!isOver) show(facts.joinToString(separator), nanos, drawing)
@@ -42,7 +42,7 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
         }
     }
 
-    /** Removes the line for good, so that later output appears in its place. May be called twice. */
+    /** Removes the line. Later output appears in its place. A second call has no effect. */
     fun end() = lock.withLock {
         if (width > 0) out.print("\r" + " ".repeat(width) + "\r")
         out.flush()
@@ -53,18 +53,17 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
     companion object {
         private const val PLAIN_INTERVAL_NANOS = 5_000_000_000L
 
-        /** The longest line for a terminal of the usual width. A longer line would wrap, and then could not be rewritten. */
+        /** The length of a line on a terminal of the usual width. A longer line would wrap and could not be rewritten. */
         const val MAX_COLUMNS = 79
 
-        /** Shows progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), standardCharset())
 
-        /** Returns true if the terminal of a program with [environment] can rewrite a line. Logs of CI keep all that is printed. */
+        /** Returns true if the terminal of a program with [environment] can rewrite a line. Logs of CI keep all printed text. */
         fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
 
         private fun isTerminal(): Boolean {
             val console = System.console() ?: return false
-            // since Java 22 there may be a console without a terminal
+            // since Java 22, a console need not be a terminal
             val asked = Console::class.java.methods.find { it.name == "isTerminal" }
             return asked == null || asked.invoke(console) == true
         }

@@ -11,8 +11,8 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.toPath
 
 /**
- * A Jason project on the class path. The project `collision` is the file `collision/collision.mas2j` there, with its agents beside it. The
- * functions of this class change the project after it has been read.
+ * A Jason project on the class path. The project `collision` is the file `collision/collision.mas2j`, with its agents in the folder. The
+ * functions of this class change the project after it is read.
  */
 class SampleProject(private val name: String) {
     private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
@@ -22,24 +22,22 @@ class SampleProject(private val name: String) {
     /** The project, ready to run from any working directory. */
     val mas: MAS2JProject = source.openStream().use { mas2j(it).mas() }.apply {
         setupDefault()
-        if (source.protocol == "file") addSourcePath("${source.toURI().toPath().parent}") // so that agents can include files from there
+        if (source.protocol == "file") addSourcePath("${source.toURI().toPath().parent}") // for the includes of agents
         agents.forEach { it.setSource(URL(source, it.source.schemeSpecificPart).toString()) }
     }
 
     private val given = HashMap<String, List<Literal>>()
 
-    /** The initial beliefs that replace those in the project, by the agents' names. */
+    /** The initial beliefs that replace those of the project, by agent name. */
     val beliefs: Map<String, List<Literal>> get() = given
 
     private fun agent(name: String): AgentParameters = checkNotNull(mas.getAg(name)) { "$source has no agent $name" }
 
-    /** Gives [agent] these initial beliefs in place of those in the project. */
     fun believe(agent: String, vararg beliefs: Literal) {
-        agent(agent).addOption("beliefs", "") // [beliefs] has them: not every string survives as the text of an option
+        agent(agent).addOption("beliefs", "") // [beliefs] contains them, since not every string can be the text of an option
         given[agent] = beliefs.asList()
     }
 
-    /** Makes [agent] run the program in [file]. */
     fun run(agent: String, file: Path) = agent(agent).setSource("${file.toUri().toURL()}")
 
     /** Copies [files] of the project, such as `filters/front.xml`, into the new folder [target]. */
@@ -48,6 +46,6 @@ class SampleProject(private val name: String) {
         copied.use { Files.copy(it, target.resolve(file).apply { parent.createDirectories() }) }
     }
 
-    /** Sets an option of [agent], like `[key=value]` in the project. */
+    /** Sets an option of [agent], as `[key=value]` does in the project. */
     fun set(agent: String, key: String, value: String) = agent(agent).addOption(key, value)
 }

@@ -7,10 +7,10 @@ import samples.collision.Robot
 import samples.collision.log
 import kotlin.random.Random
 
-/** The robot, which the three boards of this program share. */
+/** The robot of the three boards in this program. */
 private val robot by lazy { Robot(LineClock.system(), Random.Default, ::log) }
 
-/** A simulated board of [robot]. It has the sensors whose percepts have [functor], and carries out only [commands]. */
+/** A simulated board of [robot]. The board has the sensors with the functor [functor], and accepts only [commands]. */
 open class KindBoard internal constructor(
     private val name: String, private val robot: Robot, private val functor: String, private vararg val commands: String,
 ) : Sketch {

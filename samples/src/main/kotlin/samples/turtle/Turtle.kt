@@ -5,16 +5,16 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * A turtle like those of turtlesim: it drives in a square window, cannot leave it, and stops a second after its last command. Safe for use
- * by several threads.
+ * A turtle like those of turtlesim. The turtle drives in a square window, cannot leave it, and stops a second after its last command. Safe
+ * for use by several threads.
  *
  * @param x the turtle's distance from the left edge, in m
  * @param y the turtle's distance from the lower edge, in m
- * @param heading the turtle's direction, in rad: 0 is to the right, and positive angles are counter-clockwise
- * @param nanos returns the present time, in ns
+ * @param heading the turtle's direction in rad. 0 is to the right, and positive angles are counter-clockwise
+ * @param nanos returns the current time in ns
  */
 internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: () -> Long) {
-    /** The turtle's place and direction, with its speed of driving, in m/s, and of turning, in rad/s. */
+    /** The turtle's position and direction, its speed in m/s and its turning speed in rad/s. */
     data class Pose(val x: Double, val y: Double, val heading: Double, val speed: Double, val turn: Double)
 
     private var place = Pose(x, y, heading, 0.0, 0.0)
@@ -46,7 +46,6 @@ internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: 
     }
 
     companion object {
-        /** The width and the height of the window of turtlesim, in m. */
         const val WINDOW = 11.088889
     }
 }

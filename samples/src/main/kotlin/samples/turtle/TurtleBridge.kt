@@ -16,13 +16,13 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Simulates a rosbridge server with turtlesim, on the loopback interface. It has the turtles' topics `/NAME/pose` and `/NAME/cmd_vel`, and
- * the service `/spawn`. It knows only the parts of the protocol for these.
+ * Simulates a rosbridge server with turtlesim on this computer. The server has the topics `/NAME/pose` and `/NAME/cmd_vel` of each turtle,
+ * and the service `/spawn`. Only the necessary parts of the protocol are supported.
  */
 internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : AutoCloseable {
     private data class Subscription(val client: WebSocket, val topic: String)
 
-    private val throttleMs = ConcurrentHashMap<Subscription, Long>() // the least time between two messages
+    private val throttleMs = ConcurrentHashMap<Subscription, Long>() // the shortest time between two messages
     private val sentNanos = ConcurrentHashMap<Subscription, Long>()
     private val turtles = ConcurrentHashMap<String, Turtle>()
     private val started = CompletableFuture<Unit>()
@@ -53,10 +53,9 @@ internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : 
         timer.scheduleAtFixedRate(::publish, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** The bridge's port, as an agent names it. */
+    /** The name of the bridge's port for agents. */
     val port: String get() = "ros://127.0.0.1:${server.port}"
 
-    /** The first turtle, `turtle1`. */
     val turtle: Turtle get() = turtles.getValue("turtle1")
 
     private fun spawn(x: Double, y: Double, heading: Double): String =

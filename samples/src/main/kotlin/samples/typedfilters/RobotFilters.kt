@@ -7,16 +7,16 @@ object Dist : PerceptType("dist") {
     /** `f`, `b`, `r` or `l`. */
     val side by atom()
 
-    /** Centimetres. */
+    /** The distance in cm. */
     val cm by number()
 }
 
-/** Keeps percepts of things in front of the robot. */
+/** Keeps percepts of obstacles in front of the robot. */
 val frontOnly = keepFilter("frontOnly") {
     keep(Dist) { side eq "f" }
 }
 
-/** Keeps percepts of things in front of the robot and nearer than a metre. */
+/** Keeps percepts of obstacles in front of the robot and nearer than one metre. */
 val nearFront = keepFilter("nearFront") {
     keep(Dist) {
         side eq "f"
@@ -24,7 +24,7 @@ val nearFront = keepFilter("nearFront") {
     }
 }
 
-/** Offers the filters to agents by their names. */
+/** Gives agents the filters by name. */
 class RobotFilters : FilterProvider {
     override val filters = listOf(frontOnly, nearFront)
 }

@@ -16,8 +16,8 @@ import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
 /**
- * A Jason project that adds `argo.jar` and nothing else, in a process of its own, with a board on a pseudo-terminal: the agent of
- * the EMAS 2016 paper, as published but for the port.
+ * Runs a Jason project that adds only `argo.jar`, in its own process, with a board on a pseudo-terminal. The agent is that of the EMAS 2016
+ * paper, with another port.
  */
 @Tags("Thorough")
 class BareProjectSpec : FunSpec({
@@ -50,7 +50,6 @@ class BareProjectSpec : FunSpec({
     }
 })
 
-/** Runs the agent with [options] until it has stopped its robot, and then [examine] with its folder. */
 private fun stopsTheRobot(
     java: InstalledJava, jason: Path, options: String = "", examine: (project: Path) -> Unit = {},
 ) = PseudoTerminals.open().use { line ->
@@ -62,7 +61,7 @@ private fun stopsTheRobot(
             .directory(project.toFile()).redirectErrorStream(true).redirectOutput(log).start()
         try {
             val stoppedAt = io.kotest.assertions.withClue({ log.readText() }) { board.stoppedAt.get(60, TimeUnit.SECONDS) }
-            stoppedAt shouldBeInRange 1..40 // each answer while a busy machine halts the agent is a centimetre
+            stoppedAt shouldBeInRange 1..40 // each answer during a halt of the agent by a busy machine costs a centimetre
             board.commands.toList() shouldContain "front"
         } finally {
             process.destroy()
@@ -73,7 +72,6 @@ private fun stopsTheRobot(
     project.toFile().deleteRecursively()
 }
 
-/** Returns the class path with Jason, its dependencies and `argo.jar`. */
 private fun classPath(jason: Path): String {
     val own = listOf(Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
     return listOf(jason, *own.toTypedArray(), Path.of(System.getProperty("argo.jar"))).joinToString(File.pathSeparator)
@@ -91,7 +89,7 @@ private fun project(port: File, options: String): Path {
         "<PerceptionFilter><filter><predicate>dist</predicate><parameter operator=\"EQ\" " +
             "id=\"0\">b</parameter></filter></PerceptionFilter>\n",
     )
-    file("logging.properties", "handlers = java.util.logging.ConsoleHandler\n.level = INFO\n") // Jason's default opens a window
+    file("logging.properties", "handlers = java.util.logging.ConsoleHandler\n.level = INFO\n") // by default, Jason opens a window
     return project
 }
 

@@ -10,7 +10,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
 
-/** The private members that ARGO reaches by reflection are there, in each version of Jason that it works with. */
+/** The private members that ARGO uses by reflection exist in each supported Jason version. */
 class InsidesSpec : FunSpec({
     val recentJava: EnabledOrReasonIf = {
         if (newestJava().feature >= 21) Enabled.enabled
@@ -30,9 +30,8 @@ class InsidesSpec : FunSpec({
     }
 })
 
-/** The members that Jason on the class path does not have. */
 private fun missingInsides(): List<String> =
     Insides.all.filterNot { it.isThere }.map { "$it" } + listOf("WaitEvents").filterNot { WaitEvents.isThere }
 
-/** Prints which version of Jason is on the class path, and what it does not have. */
+/** Prints the Jason version on the class path and its missing members. */
 fun main() = println("${jason.util.Config.get().jasonVersion}, missing: ${missingInsides()}")

@@ -17,7 +17,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.isDirectory
 import kotlin.io.path.writeText
 
-/** The project of the page on migrating, run by JaCaMo in a process of its own, if JaCaMo is installed. */
+/** Runs the project of the page on migrating in JaCaMo, in its own process, if JaCaMo is installed. */
 @Tags("Thorough")
 class JaCaMoSpec : FunSpec({
     val libraries = System.getenv("JACAMO_LIB")?.let(::Path)
@@ -51,7 +51,7 @@ class JaCaMoSpec : FunSpec({
     }
 })
 
-/** It starts the clock when something is near, and ends the system when it has seen both. */
+/** Starts the clock when an object is near. Ends the system after both have happened. */
 private const val ROBOT = """
 !start.
 +!start <- .port("replay:drive.rec"); argo.limit(100); .argo.percepts(open).

@@ -5,7 +5,6 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A program in a process of its own, with only the class path that it is given. */
 internal class JarProgram private constructor(private val process: Process) : AutoCloseable {
     private val lines = LinkedBlockingQueue<String>()
     private val all = StringBuffer()
@@ -16,10 +15,8 @@ internal class JarProgram private constructor(private val process: Process) : Au
         }
     }
 
-    /** The exit status and the output of a program that has ended, errors included. */
     class Ended(val status: Int, val printed: String)
 
-    /** Returns the next line that holds [text]. */
     fun awaitLine(text: String): String {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {
@@ -29,16 +26,14 @@ internal class JarProgram private constructor(private val process: Process) : Au
         }
     }
 
-    /** Ends it as Ctrl-C does, and waits for that. */
+    /** Ends the program like Ctrl-C, and waits for its end. */
     fun interrupt(): Ended {
-        process.toHandle().destroy() // process.destroy() would close its output too
+        process.toHandle().destroy() // process.destroy() would also close the output
         return ended()
     }
 
-    /** Returns the programs that it has started and that still run. */
     fun children(): List<ProcessHandle> = process.toHandle().descendants().toList()
 
-    /** Waits for its end. */
     fun ended(): Ended {
         if (!process.waitFor(LIMIT_S, TimeUnit.SECONDS)) throw AssertionError("it still runs; it printed:\n$all")
         reader.join()
@@ -52,17 +47,14 @@ internal class JarProgram private constructor(private val process: Process) : Au
     companion object {
         private const val LIMIT_S = 120L
 
-        /** A program that ends soon does not pay for an optimizing compiler. */
+        /** Short programs do not profit from an optimizing compiler. */
         private val java = listOf(thisJava().program, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-        /** Starts Java with [arguments] in [folder]. */
         fun start(folder: Path, vararg arguments: String): JarProgram =
             start(ProcessBuilder(java + arguments).directory(folder.toAbsolutePath().toFile()))
 
-        /** Runs Java with [arguments] in [folder] to its end. */
         fun run(folder: Path, vararg arguments: String): Ended = start(folder, *arguments).use { it.ended() }
 
-        /** Runs [command] to its end. */
         fun run(command: ProcessBuilder): Ended = start(command).use { it.ended() }
 
         private fun start(command: ProcessBuilder) = JarProgram(command.redirectErrorStream(true).start())

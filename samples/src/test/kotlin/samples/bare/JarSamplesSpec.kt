@@ -19,7 +19,7 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 import kotlin.io.path.outputStream
 
-/** The samples as the user of a release runs them: `java -jar argo.jar demo`, without a script, from any folder. */
+/** The samples as a user of a release runs them: `java -jar argo.jar demo`, without a script, from any folder. */
 class JarSamplesSpec : FunSpec({
     val folder = tempdir().toPath()
     val jar = release(tempdir().toPath().resolve("the release"))
@@ -61,7 +61,6 @@ class JarSamplesSpec : FunSpec({
     }
 })
 
-/** Puts the jar and the samples into [folder] as in a release; returns the jar. */
 private fun release(folder: Path): Path {
     val samples = folder.resolve("samples").createDirectories()
     val entries = (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)

@@ -12,7 +12,7 @@ import javino.sim.PseudoTerminals
 import java.io.File
 import java.nio.file.Path
 
-/** The tools as everybody has them: `java -jar argo.jar`, without Jason. */
+/** The tools without Jason: `java -jar argo.jar`. */
 class JarToolsSpec : FunSpec({
     val folder = tempdir().toPath()
     val jar = System.getProperty("argo.jar").let { Path.of(it).toAbsolutePath().normalize().toString() }

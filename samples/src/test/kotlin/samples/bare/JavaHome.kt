@@ -7,10 +7,9 @@ import java.util.concurrent.TimeUnit
 /** An installed Java: the path of its program and its feature version, such as 17. */
 data class InstalledJava(val program: String, val feature: Int)
 
-/** The Java that runs this test. */
 fun thisJava() = InstalledJava(Path.of(System.getProperty("java.home"), "bin", "java").toString(), Runtime.version().feature())
 
-/** Finds the newest Java on this machine, in the places of `JAVA_HOME…` variables, Linux distributions and SDKMAN. */
+/** Finds the newest Java on this machine in `JAVA_HOME…` variables and in the folders of Linux distributions and SDKMAN. */
 fun newestJava(): InstalledJava {
     val named = System.getenv().filterKeys { it.startsWith("JAVA_HOME") }.values.map(Path::of)
     val installed =

@@ -21,9 +21,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.name
 import kotlin.io.path.useDirectoryEntries
 
-/**
- * The project that `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with only their class path.
- */
+/** Compiles, tests and runs the project of `java -jar argo.jar new` as its builds do, with only its own class path. */
 @Tags("Thorough")
 class NewProjectSpec : FunSpec({
     val folder = tempdir().toPath()
@@ -89,13 +87,12 @@ class NewProjectSpec : FunSpec({
 
 private val ARDUINO_CORE = Path.of(System.getenv("ARDUINO_AVR") ?: "/usr/share/arduino/hardware/arduino/avr").resolve("cores/arduino")
 
-/** Returns the class path of the project's own build, but for Jason. */
 private fun main(project: Path) = listOf(project.resolve("main"), project.resolve("src/main/resources"), project.resolve("lib/argo.jar"))
 
 private fun jason(): List<Path> =
     listOf(Agent::class.java, Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
 
-/** Returns Kotest with its dependencies, from this test's own class path, without ARGO. */
+/** Returns Kotest and its dependencies from this test's class path, without ARGO. */
 private fun kotest(): List<Path> =
     (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)
         .map(Path::of).filter { jar -> KOTEST.any(jar.name::startsWith) }

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * The board of a robot, at the far end of a pseudo-terminal: each answer is a centimetre nearer to the wall while it drives.
+ * The board of a robot on a pseudo-terminal. While the robot drives, each answer shows the wall one centimetre nearer.
  *
  * @param device the board's end
  */
@@ -22,10 +22,8 @@ class WallBoard(device: File) : AutoCloseable {
     private var driving = false
     private var distance = 60
 
-    /** The commands that came, in their order. */
     val commands = ConcurrentLinkedQueue<String>()
 
-    /** The distance from the wall when the first `stop` came. */
     val stoppedAt = CompletableFuture<Int>()
 
     private val sketch = thread(isDaemon = true, name = "board") {

@@ -16,7 +16,7 @@ import kotlin.time.Duration.Companion.seconds
 
 private const val DEADLINE_S = 120L
 
-/** A board on a line at 9600 baud, which notes its commands. */
+/** A board on a line at 9600 baud that stores its commands. */
 private class Bench(private vararg val percepts: String, loopMs: Int = 0) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings.defaults())
     val computer: Transport = line.computer()
@@ -32,7 +32,7 @@ private class Bench(private vararg val percepts: String, loopMs: Int = 0) : Auto
         } catch (_: PortGoneException) {
             // the bench is closed
         } catch (_: InterruptedException) {
-            // while it answers
+            // the board is answering
         }
     }
 
@@ -78,7 +78,7 @@ class FieldBoardSpec : FunSpec({
     test("of the commands that arrive while it answers it does the last one only") {
         val percepts = "x".repeat(200)
         Bench(percepts).use { bench ->
-            bench.send("getPercepts", "one", "two") // the answer takes 215 ms, the two commands 19 ms
+            bench.send("getPercepts", "one", "two") // the answer takes 215 ms, and the two commands take 19 ms
             bench.receive(207) shouldBe "fffeC9$percepts;"
             bench.nextCommand() shouldBe "two"
             bench.send("three")

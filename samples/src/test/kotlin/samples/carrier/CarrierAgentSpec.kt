@@ -9,7 +9,7 @@ import kotlin.io.path.Path
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** The agent of the sample on three boards of the test kit. */
+/** The agent of the sample on three simulated boards. */
 class CarrierAgentSpec : FunSpec({
     fun AgentSetUp.plugIn() {
         options("beliefs" to """boards([port(wheels,[as(wheels)]), port(sensors,[as(sensors)]), port(arm,[as(arm)])])""")

@@ -122,7 +122,7 @@ class CollisionSpec : FunSpec({
     test("plain Jason runs the project").config(tags = thorough) {
         Program.jason("collision").use { jason ->
             jason.awaitLine("[robot] drives")
-            // a machine that is busy may have it stop before, until its board answers again
+            // on a busy machine, the agent may stop the robot until its board answers again
             jason.awaitLine("[robot] stopped 3").shouldContain(Regex("""stopped 3\d\.\d cm from the wall"""))
         }
     }

@@ -3,7 +3,7 @@ package samples.collision
 import javino.LineClock
 import java.util.concurrent.locks.Condition
 
-/** A clock that stands still until it is set. No thread can wait by it. */
+/** A clock that only changes when it is set. No thread can wait by it. */
 internal class HandClock : LineClock {
     private var nanos = 0L
 

@@ -63,6 +63,5 @@ class LiveViewSpec : FunSpec({
 
 private fun addressOf(line: String) = URI(checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/robot/").find(line)) { line }.value)
 
-/** Returns the stream of states that a page is sent, to its end. */
 private fun watch(address: URI): Stream<String> =
     HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("events")).build(), HttpResponse.BodyHandlers.ofLines()).body()

@@ -9,7 +9,7 @@ import samples.board.FieldBoard
 import kotlin.concurrent.thread
 import kotlin.random.Random
 
-/** The robot at the far end of a pseudo-terminal, which a program cannot tell from a real one. */
+/** The robot on a pseudo-terminal. A program cannot distinguish it from a real one. */
 internal class RealRobot : AutoCloseable {
     private val line = PseudoTerminals.open()
     private val clock = LineClock.system()
@@ -19,17 +19,14 @@ internal class RealRobot : AutoCloseable {
         try {
             FieldBoard(robot).run(end)
         } catch (_: PortGoneException) {
-            // the robot is put away
+            // the robot was closed
         }
     }
 
-    /** Its port for a program. */
     val port: String = "${line.computer()}"
 
-    /** Pulls the plug. */
     fun unplug() = line.close()
 
-    /** Waits until the robot does this. */
     fun awaitState(state: Course.State) {
         val deadline = clock.nanos() + DEADLINE_NANOS
         while (robot.course.stateAt(clock.nanos()) != state) {

@@ -18,7 +18,6 @@ class TrackPictureSpec : FunSpec({
 
     fun place(element: Element, name: String) = element.getAttribute(name).removeSuffix("%").toDouble()
 
-    /** Returns the place of the robot's front, in percent of the width. */
     fun front(svg: String) = elements(svg, "svg")[1].let { place(it, "x") + place(it, "width") }
 
     test("the robot's front is drawn to scale: at the limit's line when it is at the limit, at the wall when it touches it") {

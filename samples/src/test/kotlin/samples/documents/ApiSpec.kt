@@ -15,14 +15,14 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * The public API of each library is in `<library>/api/<library>.api`, so that a change of it is seen. With `-Dargo.write.api=true` the
- * files are written.
+ * `<library>/api/<library>.api` contains the public API of each library, so that changes are noticed. `-Dargo.write.api=true` writes the
+ * files.
  */
 class ApiSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val onClassPath = System.getProperty("java.class.path").split(File.pathSeparator).map { File(it).canonicalFile }
 
-    /** The classes of a library, of a Maven or a Gradle build. */
+    /** The classes of a library, from a Maven or a Gradle build. */
     fun classes(library: String): List<File> = onClassPath.filter { it.startsWith(root.resolve(library).toFile()) }
         .flatMap { place -> place.walk().filter { it.extension in setOf("class", "jar") } }
 
@@ -43,11 +43,10 @@ class ApiSpec : FunSpec({
     }
 })
 
-/** The modules under [root] that `./argo install` installs. */
 internal fun libraries(root: Path): List<String> = Regex("<module>(.+?)</module>").findAll(root.resolve("pom.xml").readText())
     .map { it.groupValues[1] }.filterNot { "<maven.install.skip>true" in root.resolve("$it/pom.xml").readText() }.toList()
 
-/** The lines of an API, those of members with the type that they are in. */
+/** The lines of an API. A member's line begins with its type. */
 private fun declarations(api: String): Set<String> = api.split("\n\n").flatMap { type ->
     val lines = type.trim().lines()
     listOf(lines.first()) + lines.drop(1).map { "${lines.first().substringBefore(" {")}: ${it.trim()}" }

@@ -22,9 +22,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/**
- * The boards on the page on boards are compiled, registered as the page says, and the tools request their percepts and send them commands.
- */
+/** Compiles and registers the boards on the page on boards. Requests the boards' percepts and sends commands by the tools. */
 @Tags("Thorough")
 class BoardsPageSpec : FunSpec({
     val root = Path.of("..").toRealPath()
@@ -32,7 +30,7 @@ class BoardsPageSpec : FunSpec({
     val snippets = Document.all(root).single { it.name == "docs/boards.md" }.snippets
     fun shown(language: String) = snippets.single { it.language == language }.text
 
-    /** Writes the board in [language] as its project has it; returns a folder for its classes, in which it is registered. */
+    /** Writes the board in [language] into a project. Returns a folder for its classes, in which it is registered. */
     fun project(language: String, ending: String): Pair<Path, Path> {
         val folder = tempdir().toPath()
         val classes = folder.resolve("classes")
@@ -80,7 +78,7 @@ class BoardsPageSpec : FunSpec({
         val board = ProcessBuilder("python3", "$program").inheritIO().start()
         try {
             val monitor = arrayOf("monitor", "tcp://localhost:$port", "--count", "2", "--boot", "20000")
-            eventually(60.seconds) { // the board may begin to listen later than the monitor asks
+            eventually(60.seconds) { // the board may start to listen after the monitor's request
                 val asked = JarProgram.run(program.parent, "-jar", "$argo", *monitor)
                 // the wall comes nearer with each request, and a busy computer repeats one
                 withClue(asked.printed) { Regex("""s +\S+ +dist\(front,(90|8\d)\)""").findAll(asked.printed).count() shouldBe 2 }

@@ -9,17 +9,13 @@ import kotlin.io.path.isExecutable
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/**
- * Checks, without running a command, that the repository at [root] has everything that the command names: programs, their options, tasks,
- * modules, files.
- */
+/** Checks that the repository at [root] has everything that a command names: programs, options, tasks, modules, files. Runs no command. */
 class CommandCheck(private val root: Path) {
     private val usage = ProcessBuilder("$root/argo").start().inputReader().use { it.readText() }
 
-    /** The commands of `./argo` that its usage shows. */
+    /** The commands in the usage text of `./argo`. */
     val verbs: Set<String> = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(usage).map { it.groupValues[1] }.toSet()
 
-    /** Describes the fault of [words]; null: there is none. */
     fun problem(words: List<String>): String? {
         if (words.first().startsWith("JDK_JAVA_OPTIONS=")) return problem(words.drop(1))
         val rest = words.drop(1).filterNot { it in PLACEHOLDERS }
@@ -67,7 +63,7 @@ class CommandCheck(private val root: Path) {
         refusal(commands, arguments.asList())
     }
 
-    /** Its program is in a module that needs this one. */
+    /** Checks only the names of options, since the experiment's module depends on this one. */
     private fun experiment(options: List<String>): String? {
         val sources = root.resolve("experiment/src/main/kotlin/experiment")
         val own = sources.resolve("ExperimentCommand.kt").readText()
@@ -163,18 +159,17 @@ class CommandCheck(private val root: Path) {
     private fun missing(found: Any?, what: String): String? = if (found == null) "there is no $what" else null
 
     private companion object {
-        /** The sources of a project that `./argo new` makes. */
         const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
         val JAVA_OPTIONS = Regex("--enable-native-access=ALL-UNNAMED|--sun-misc-unsafe-memory-access=allow|-Xmx\\d+m")
 
-        /** Goals and phases of every Maven. */
+        /** Standard goals and phases of Maven. */
         val GOALS = setOf("clean", "compile", "test", "package", "verify", "install", "dependency:copy-dependencies")
 
-        /** Words that stand for any. */
+        /** Words that stand for any word. */
         val PLACEHOLDERS = setOf("COMMAND", "…")
 
-        /** The command line of the tools in argo.jar, which is internal to them. */
+        /** The command line of argo.jar, which is internal to the tools. */
         val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools ->
             { tools.invoke(null) as CommandLine }
         }

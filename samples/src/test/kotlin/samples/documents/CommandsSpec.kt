@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import java.nio.file.Path
 
-/** Every command that a page tells its reader to type exists, with these options. */
+/** Every command for readers of a page exists with its options. */
 class CommandsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val commands = Document.all(root).associateWith(ToldCommand::of)
@@ -50,7 +50,7 @@ class CommandsSpec : FunSpec({
     }
 })
 
-/** The beginnings of the commands that no test tries, with the reasons. */
+/** The beginnings of commands that no test runs, with the reasons. */
 private val NOT_TRIED = mapOf(
     "sudo usermod" to "changes the machine",
     "sudo apt" to "changes the machine",
@@ -66,7 +66,7 @@ private val NOT_TRIED = mapOf(
     "./board " to "needs a board; javino-arduino/tests/e2e/posix.py runs it on a pseudo-terminal",
 )
 
-/** Checks that a reader is sent only into a folder that an earlier command has made. */
+/** Checks that a command that enters a folder follows a command that makes it. */
 private fun folder(command: ToldCommand, told: List<ToldCommand>) {
     told.takeWhile { it !== command }.map { it.text } shouldContain "./argo new ${command.words[1]}"
 }

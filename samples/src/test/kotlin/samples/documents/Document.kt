@@ -5,16 +5,15 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 
-/** A page of the documentation, at [path] under the repository's [root]. */
+/** A page of the documentation at [path] below the repository's [root]. */
 class Document(private val root: Path, val path: Path) {
     val name: String = root.relativize(path).joinToString("/")
 
     val text: String by lazy { path.readText() }
 
-    /** The blocks between fences, in their order. */
     val snippets: List<Snippet> by lazy { snippetsOf(path.readLines()) }
 
-    /** The texts between single backquotes outside of the blocks, on one line or over the end of one. */
+    /** The texts in single backquotes outside blocks. A text may continue on the next line. */
     val spans: List<Snippet> by lazy {
         val sentences = FENCED.replace(text) { block -> "\n".repeat(block.value.count { it == '\n' }) }
         SPAN.findAll(sentences).map { span ->
@@ -23,7 +22,7 @@ class Document(private val root: Path, val path: Path) {
         }.toList()
     }
 
-    /** The targets of links that stay in the repository, without the part behind `#`. */
+    /** The targets of links within the repository, without the part behind `#`. */
     val links: List<String>
         get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }
             .filterNot { "://" in it || it.startsWith("mailto:") }.toList()
@@ -64,19 +63,19 @@ class Document(private val root: Path, val path: Path) {
         private val HEADING = Regex("""(?m)^#+ +(.+?) *$""")
         private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
 
-        /** Returns all pages of the repository at [root], without those of projects that `./argo new` has made in it. */
+        /** Returns all pages of the repository at [root]. Leaves out projects that `./argo new` has made there. */
         fun all(root: Path): List<Document> = root.toFile().walk()
             .onEnter { it == root.toFile() || it.name !in NOT_OURS && !it.resolve("lib/argo.jar").exists() }
             .filter { it.isFile && it.extension == "md" }.map { Document(root, it.toPath()) }.sortedBy { it.name }.toList()
 
         private val NOT_OURS = setOf("target", "build", "dist", ".argo", ".git", ".gradle")
 
-        /** Returns the anchor that forges give a heading. */
+        /** Returns the anchor that GitHub and other forges give a heading. */
         private fun anchor(heading: String) = heading.lowercase().replace(Regex("""[^\p{L}\p{N} _-]"""), "").replace(' ', '-')
     }
 }
 
-/** A block of [language] between fences, that begins in [line] of [document]. */
+/** A fenced block of [language] that starts in [line] of [document]. */
 class Snippet(val document: String, val line: Int, val language: String, val text: String) {
     override fun toString() = "$document:$line"
 }

@@ -25,7 +25,6 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** Every example on a page works, and every link leads somewhere. */
 class DocumentsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val documents = Document.all(root)
@@ -121,9 +120,9 @@ class DocumentsSpec : FunSpec({
 })
 
 /**
- * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
- * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec and JavaPageSpec `java`, BoardsPageSpec `python`, javino-python/tests/programs.py
- * programs in `python` that import `javino`, RosDocumentSpec `yaml`.
+ * `text` is plain text or the output of a program. `console` is commands with their output. Other specs check the other languages:
+ * CommandsSpec the commands, FirmwareSnippetsSpec `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec and JavaPageSpec `java`, BoardsPageSpec
+ * `python`, javino-python/tests/programs.py programs in `python` that import `javino`, RosDocumentSpec `yaml`.
  */
 private val LANGUAGES = setOf(
     "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "ini", "java", "python",
@@ -133,21 +132,20 @@ private val LANGUAGES = setOf(
 
 private const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
-/** Returns the agents that the comment at the head of a sketch shows, without the comment's marks. */
+/** Returns the agents in the head comment of a sketch, without comment marks. */
 private fun agentsOf(sketch: String) = SKETCH_AGENT.findAll(sketch).map { it.groupValues[1].replace("\n//", "\n") }.toList()
 
 private val SKETCH_AGENT = Regex("""^//   (?:agent|watcher) +(.*(?:\n// {13}.*)*)""", RegexOption.MULTILINE)
 
 private fun readAgent(text: String) {
-    Config.get()[Config.START_WEB_MI] = "false" // else a server would show each of these agents
+    Config.get()[Config.START_WEB_MI] = "false" // prevents a web server for each of these agents
     val agent = Agent().apply { initAg() }
     as2j(StringReader(text)).agent(agent)
 }
 
-/** Puts a block that shows only a project's agents into a project. */
+/** Puts a block with only agents into a project. */
 private fun String.asProject() = if ("MAS " in this) this else "MAS project {\n$this\n}"
 
-/** Makes one file of all blocks of a page, with the imports that they show in front. */
 private fun kotlinFile(code: List<String>): String {
     val (imports, rest) = code.flatMap { it.lines() }.partition { it.startsWith("import ") }
     return (imports.distinct() + rest).joinToString("\n")

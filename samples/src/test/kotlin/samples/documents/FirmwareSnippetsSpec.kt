@@ -11,7 +11,7 @@ import io.kotest.matchers.ints.shouldBeExactly
 import java.io.File
 import java.nio.file.Path
 
-/** The sketches and the C code on pages are compiled against the board's library, on this machine, with all warnings as errors. */
+/** Compiles the sketches and the C code of pages against the board's library, with all warnings as errors. */
 @Tags("Thorough")
 class FirmwareSnippetsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
@@ -31,7 +31,7 @@ class FirmwareSnippetsSpec : FunSpec({
         documents.flatMap { it.snippets }.filter { it.language == "cpp" }.forEach { snippet ->
             test("$snippet").config(enabledOrReasonIf = compiler("c++")) {
                 val sketch = folder.resolve("Sketch.ino").apply { writeText(snippet.text + "\n") }
-                // the prototypes that the Arduino tools add
+                // adds the prototypes that the Arduino tools add
                 library.runs("awk -f tests/prototypes.awk '$sketch' '$sketch' > '$folder/sketch.cpp'")
                 library.runs("c++ -std=c++11 $warnings -Itests/stub -Isrc -c '$folder/sketch.cpp' -o '$folder/sketch.o'")
             }
@@ -57,7 +57,7 @@ class FirmwareSnippetsSpec : FunSpec({
     }
 })
 
-/** The functions that a page leaves to its reader's own microcontroller. */
+/** The functions that the reader's own microcontroller must provide. */
 private val OF_THE_READER = """
     #include <string.h>
     #include "javino_board.h"
@@ -72,7 +72,6 @@ private val OF_THE_READER = """
 
 private fun onPath(program: String) = System.getenv("PATH").split(File.pathSeparator).any { File(it, program).canExecute() }
 
-/** Runs [command] by a shell in this folder. */
 private fun File.runs(command: String) {
     val shell = ProcessBuilder("sh", "-c", command).directory(this).redirectErrorStream(true).start()
     val said = shell.inputReader().use { it.readText() }

@@ -13,7 +13,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/** The files that a forge reads: what they name is there. */
+/** Checks that files and settings named in a forge's configuration exist. */
 class ForgeSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val forms = root.resolve(".github/ISSUE_TEMPLATE").listDirectoryEntries("*.yml").filter { it.name != "config.yml" }

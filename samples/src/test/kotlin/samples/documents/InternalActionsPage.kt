@@ -7,7 +7,7 @@ import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
 
-/** The page on the internal actions, generated from the KDoc of the sources below [root]. */
+/** The page on the internal actions, generated from the KDoc below [root]. */
 class InternalActionsPage(root: Path) {
     private val actions = root.resolve("argo-arch/src/main/kotlin/argo").listDirectoryEntries()
         .filter { it.extension == "kt" && it.name.first().isLowerCase() }.sortedBy { it.name }
@@ -34,10 +34,10 @@ class InternalActionsPage(root: Path) {
     }
 
     private companion object {
-        /** The comment right before the class of the action. */
+        /** Matches the comment in front of the action's class. */
         val COMMENT = Regex("""/\*\*((?:(?!\*/).)*)\*/\s*(?:@\S+\s+)*open class""", RegexOption.DOT_MATCHES_ALL)
 
-        /** A link to a declaration, which becomes code on the page; a list in code is no link. */
+        /** Matches a link to a declaration, which becomes code on the page. A list in code is no link. */
         val LINK = Regex("""(?<![`\w])\[([A-Z]\w*(?:\.\w+)?)](?!`)""")
     }
 }

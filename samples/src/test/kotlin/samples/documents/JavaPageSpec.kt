@@ -16,7 +16,7 @@ import javax.tools.ToolProvider
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
-/** The programs on the page for Java without agents need only the library and jSerialComm, and behave as the page says. */
+/** The programs on the page on Java without agents need only the library and jSerialComm, and behave as described. */
 class JavaPageSpec : FunSpec({
     val documents = Document.all(Path.of("..").toRealPath())
     fun shown(page: String) = documents.single { it.name == page }.snippets.filter { it.language == "java" }.map { it.text }
@@ -34,7 +34,6 @@ class JavaPageSpec : FunSpec({
         return folder
     }
 
-    /** Runs the program with the board [wall] until it ends well; returns its output. */
     fun backOffFrom(wall: String): String {
         val classes = compile("BackOff" to backOff, "Wall" to wall)
         classes.resolve("META-INF/services").createDirectories().resolve("javino.sim.SimulatedBoard").writeText("Wall\n")

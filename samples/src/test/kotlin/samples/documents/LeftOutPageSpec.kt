@@ -13,7 +13,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.streams.asSequence
 
-/** `docs/left-out.md` has a place and tests for each row, and the tests are there. */
+/** `docs/left-out.md` names a place and tests for each row, and the tests exist. */
 class LeftOutPageSpec : FunSpec({
     val root = Path.of("..")
     val rows = root.resolve("docs/left-out.md").readText().lines().filter { it.startsWith("| ") && !it.startsWith("| left out") }

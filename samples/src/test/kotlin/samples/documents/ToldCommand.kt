@@ -1,20 +1,20 @@
 package samples.documents
 
-/** A command that [document] tells the reader to type, in [line], taken apart as a shell does: its [words] without quotes and comment. */
+/** A command for the reader of [document], in [line]. [words] are its words without quotes and comment, as in a shell. */
 class ToldCommand private constructor(val document: String, val line: Int, val text: String) {
     val words: List<String> = words(text)
 
     override fun toString() = "$document:$line $text"
 
     companion object {
-        /** Returns the commands of a page in their order: those between fences, and those in its sentences and tables. */
+        /** Returns the commands of a page in order, from blocks, sentences and tables. */
         fun of(document: Document): List<ToldCommand> =
             (document.snippets.flatMap(::fenced) + document.spans.filter { SPOKEN.matches(it.text) }.map(::spoken))
                 .filter { it.words.isNotEmpty() }.sortedBy { it.line }
 
         private fun spoken(span: Snippet) = ToldCommand(span.document, span.line, span.text)
 
-        /** Matches quotations in a page's sentences that are typed. */
+        /** Matches commands in sentences. */
         private val SPOKEN = Regex("""(\./\w+|java|mvn|gradle|make|cc|cd|sudo|ssh|lsusb)( .*)?""")
 
         private fun fenced(snippet: Snippet): List<ToldCommand> {

@@ -14,7 +14,6 @@ import kotlin.io.path.exists
 import kotlin.io.path.isExecutable
 import kotlin.io.path.writeText
 
-/** `./argo board`: a sketch on the simulated Uno, for a person. */
 class BoardCommandSpec : FunSpec({
     val folder = tempdir().toPath()
     val sketch = folder.resolve("my wall").createDirectory().resolve("wall.ino").apply { writeText(SKETCH) }

@@ -4,7 +4,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A program that somebody types to, with its output so far, errors too. */
+/** A program with simulated keyboard input. Collects its output and errors. */
 internal class Console(vararg command: String, environment: (MutableMap<String, String>) -> Unit = {}) : AutoCloseable {
     private val process = ProcessBuilder(*command).redirectErrorStream(true)
         .also { it.environment()["TERM"] = "xterm"; environment(it.environment()) }.start()
@@ -27,7 +27,7 @@ internal class Console(vararg command: String, environment: (MutableMap<String, 
         process.outputStream.apply { write((text + end).toByteArray()); flush() }
     }
 
-    /** Waits until the program has printed [text], after the text that was awaited before. */
+    /** Waits until the program has printed [text] behind the last awaited text. */
     fun await(text: String) {
         while (printed.indexOf(text, awaited) < 0) {
             val next = arriving.poll(LIMIT_S, TimeUnit.SECONDS) ?: -1

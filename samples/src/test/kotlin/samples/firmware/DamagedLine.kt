@@ -10,16 +10,14 @@ import java.util.Random
 import kotlin.concurrent.thread
 import kotlin.experimental.xor
 
-/** A way to the board on [boardPort], for one program, that damages one byte in 200 in both directions; the same ones in each run. */
+/** A connection of one program to the board on [boardPort]. Damages one byte in 200 in both directions, always the same ones. */
 internal class DamagedLine(boardPort: String) : AutoCloseable {
     private val server = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
     private val board = Transports.open(boardPort, LineSettings(BAUD))
     private val threads = listOf(thread(isDaemon = true) { runUntilClosed(::serve) })
 
-    /** The port for the program. */
     val port = "tcp://127.0.0.1:${server.localPort}"
 
-    /** The number of bytes damaged so far. */
     @Volatile
     var damaged = 0
         private set
@@ -55,7 +53,6 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
         }
     }
 
-    /** Runs [body] until its socket or port is closed. */
     private fun runUntilClosed(body: () -> Unit) {
         try {
             body()
@@ -71,7 +68,6 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
     }
 }
 
-/** The rate of the sketch `Echo`. */
 private const val BAUD = 115_200
 private const val BLOCK = 256
 private const val ONE_IN = 200

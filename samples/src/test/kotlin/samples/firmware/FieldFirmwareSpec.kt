@@ -22,8 +22,8 @@ private const val BURSTS = 6
 private const val LAMPS = 8
 
 /**
- * A link, as it is by default, and firmware that receives as the version 1 library in the field does: see the sketch `Field`. Both go by
- * the board's time, so that a busy machine does not move frames together.
+ * Tests the default link with firmware that receives like the old version 1 library. The sketch `Field` simulates it. Link and firmware use
+ * the board's clock, so that a busy machine does not push frames together.
  */
 @Tags("Thorough")
 class FieldFirmwareSpec : FunSpec({
@@ -36,14 +36,13 @@ class FieldFirmwareSpec : FunSpec({
         test("a board of the field acts on every command and never restarts: loop() of $loopMs ms, answers built in $buildMs ms").config(
             enabledOrReasonIf = built,
         ) {
-            // a write that stalls for longer than a frame moves frames together, whatever the link does: such a run does not count
+            // a write that stalls for longer than a frame pushes frames together, so such a run does not count
             generateSequence { burstsAt(loopMs, buildMs) }.take(MAX_RUNS).first { it.longestWriteMs < FRAME_MS }
                 .percepts shouldBe "done(${BURSTS * LAMPS});starts(1);"
         }
     }
 })
 
-/** The board's report at the end of a run, and the longest time of a write by the board's clock, in ms. */
 private class Run(val percepts: String, val longestWriteMs: Long)
 
 private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedBoard("Field").use { uno ->
@@ -55,13 +54,13 @@ private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedBoard("Field").u
         link.sendAndAwait("loop$loopMs", LIMIT_MS)
         repeat(BURSTS) {
             repeat(LAMPS) { lamp -> link.sendAndAwait("lamp($lamp,on)", LIMIT_MS) }
-            runCatching { link.request("getPercepts", ANSWER_MS) } // a board that restarts does not answer
+            runCatching { link.request("getPercepts", ANSWER_MS) } // a restarting board does not answer
         }
         Run(link.request("getPercepts", LIMIT_MS).text(), line.longestWriteMs)
     }
 }
 
-/** Times the writes on [line]. A read without bytes proves that there was none by the board's [clock], too. */
+/** Measures the writes on [line]. A read without bytes proves that none arrived, also by the board's [clock]. */
 private class TimedLine(private val line: Transport, private val clock: LineClock) : Transport by line {
     var longestWriteMs = 0L
         private set
@@ -69,7 +68,7 @@ private class TimedLine(private val line: Transport, private val clock: LineCloc
     override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
         val count = line.read(b, off, len, timeoutMillis)
         if (count > 0) return count
-        clock.nanos() // a board that was halted meanwhile makes up for it, and its bytes of that time come only now
+        clock.nanos() // after a halt, the board catches up, and its bytes arrive only now
         return line.read(b, off, len, CAUGHT_UP_MS)
     }
 

@@ -20,7 +20,7 @@ import kotlin.io.path.copyTo
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** The same agents drive the real firmware, over jSerialComm, from end to end, on each kind of board. */
+/** Agents use the real firmware over jSerialComm, on each kind of board. */
 class FirmwareSpec : FunSpec({
     context("on an Uno") { agentsDrive(BoardKind.UNO, "Robot4WD") }
     context("on a Cortex-M3") { agentsDrive(BoardKind.CORTEX_M, "robot") }
@@ -101,7 +101,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
-            Program.samples("collision", "--port", robot.port).use { robot.awaitPin(LEFT_FORWARD, "high") } // kills it
+            Program.samples("collision", "--port", robot.port).use { robot.awaitPin(LEFT_FORWARD, "high") } // kills the program
             robot.awaitPin(LEFT_FORWARD, "low")
         }
     }
@@ -125,7 +125,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
     }
 }
 
-/** Writes an agent that sends a row of commands, each after the outcome of the one before. */
+/** Writes an agent that sends commands one by one, each after the outcome of the last. */
 private fun counting(port: String) = """
     !start.
     +!start <- argo.port("$port"); !send(${SPEEDS.first}).
@@ -134,7 +134,6 @@ private fun counting(port: String) = """
     -!send(N)[error_msg(Why)] <- .print("failed at ", N, ": ", Why); .stopMAS.
 """.trimIndent()
 
-/** Runs Jason with one agent that has a board, while [test] runs. */
 private fun withJason(name: String, agent: String, test: (Program) -> Unit) {
     val folder = createTempDirectory(name)
     try {
@@ -149,7 +148,7 @@ private fun withJason(name: String, agent: String, test: (Program) -> Unit) {
 
 private const val LED = 13
 private const val DUTY = 5
-private const val FENCE = 6 // a pin without changes: its report comes behind all earlier changes
+private const val FENCE = 6 // an unused pin, whose report follows all earlier changes
 private val SPEEDS = 10..109
 private const val ANSWER_LIMIT_MS = 20_000
 private const val LEFT_FORWARD = 7
@@ -161,7 +160,7 @@ private const val LIGHT_LAMP = 11
 private const val DARK_MV = 4500
 private const val BRIGHT_MV = 300
 
-// The sonar gives Vcc/512 an inch: 5000 mV / 512 / 2.54 for a centimetre.
+// The sonar gives Vcc/512 per inch: 5000 mV / 512 / 2.54 per centimetre.
 private const val TWO_METRES_MV = 769
 private const val THIRTY_CM_MV = 118
 

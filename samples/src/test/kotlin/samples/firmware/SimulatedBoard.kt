@@ -13,10 +13,10 @@ private val ROOT: Path = Path.of("../javino-arduino").toAbsolutePath()
 private val SIMULATOR: Path = ROOT.resolve("build/simulator")
 
 /**
- * The kinds of boards on which programs of `javino-arduino/` run here.
+ * The kinds of boards that run programs of `javino-arduino/` here.
  *
  * @param folder the folder of the programs in the build directory
- * @param emulator the program that runs them; null: the simulator of this project
+ * @param emulator the program that runs them, or null for this project's simulator
  */
 internal enum class BoardKind(private val folder: String, private val emulator: String?) {
     UNO("avr/uno", null),
@@ -26,19 +26,17 @@ internal enum class BoardKind(private val folder: String, private val emulator: 
 
     private fun elf(program: String) = ROOT.resolve("build/$folder/$program.elf")
 
-    /** Returns the command that runs [program]. */
     fun command(program: String): List<String> =
         (if (emulator == null) listOf("$SIMULATOR") else listOf("python3", "$ROOT/tests/e2e/machine.py", folder)) + "${elf(program)}"
 
-    /** Returns true if there are the simulator and [programs]. */
     fun isBuilt(vararg programs: String): Boolean =
         (if (emulator == null) Files.isExecutable(SIMULATOR) else onPath(emulator)) && programs.all { Files.exists(elf(it)) }
 }
 
 /**
- * A program of `javino-arduino/` on a simulated board, whose serial line is a pseudo-terminal.
+ * A program of `javino-arduino/` on a simulated board. The board's serial line is a pseudo-terminal.
  *
- * @param program the name of a sketch, or `robot` in C, which `./argo firmware` has compiled for this kind of board
+ * @param program a sketch, or `robot` in C, that `./argo firmware` has compiled for this kind of board
  */
 internal class SimulatedBoard(program: String, kind: BoardKind = BoardKind.UNO) : AutoCloseable {
     private val process = ProcessBuilder(kind.command(program)).redirectErrorStream(true).start()
@@ -49,21 +47,19 @@ internal class SimulatedBoard(program: String, kind: BoardKind = BoardKind.UNO) 
     /** The device to open. */
     val port: String = awaitLine("port ").substringAfter(' ').trim()
 
-    /** Applies a voltage to an analogue input such as `A0`. */
     fun setMillivolts(input: String, millivolts: Int) = command("set $input $millivolts")
 
-    /** Reports each change of [pin] from now on to [awaitPin]. */
+    /** Reports each change of [pin] to [awaitPin]. */
     fun watch(pin: Int) = command("watch $pin")
 
-    /** Waits until [pin], which is watched, is `high` or `low`. */
     fun awaitPin(pin: Int, state: String) {
         awaitLine("pin $pin $state ")
     }
 
-    /** Returns the next change of a watched pin as it is printed, without its time. */
+    /** Returns the next change of a watched pin as printed, without its time. */
     fun awaitChange(): String = awaitLine("pin ").substringBeforeLast(' ')
 
-    /** The board's time, which stands still while the machine is too busy to simulate it. */
+    /** The board's clock. The clock stops while the machine is too busy to simulate the board. */
     val clock = object : LineClock {
         @Synchronized
         override fun nanos(): Long {

@@ -5,7 +5,6 @@ import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isExecutable
 
-/** Finds [program] on the path; null: it is not there. */
 internal fun onPathOrNull(program: String): Path? =
     System.getenv("PATH").orEmpty().split(':').map { Path.of(it, program) }.find { it.isExecutable() }
 
@@ -16,7 +15,6 @@ internal fun ifUnoCanBeSimulated(): Enabled =
     if (onPath("avr-gcc") && Path.of("/usr/include/simavr/sim_avr.h").exists()) Enabled.enabled
     else Enabled.disabled("there is no avr-gcc or no simavr, which \"./argo firmware\" installs")
 
-/** Returns the output of one of the tools. */
 internal fun tool(vararg command: String): String {
     val java = listOf("java", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-jar", System.getProperty("argo.jar"))
     val process = ProcessBuilder(java + command).redirectErrorStream(true).start()

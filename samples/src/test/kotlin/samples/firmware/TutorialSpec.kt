@@ -13,7 +13,6 @@ import kotlin.io.path.createDirectory
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** Does the steps of the tutorial on the simulated Uno. */
 @Tags("Thorough")
 class TutorialSpec : FunSpec({
     val root = Path.of("..").toRealPath()

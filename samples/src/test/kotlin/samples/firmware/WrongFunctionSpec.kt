@@ -11,7 +11,7 @@ import io.kotest.matchers.string.shouldContain
 import samples.bare.JarProgram
 import java.io.File
 
-/** A sketch whose function does not fit an action does not compile, and the compiler says what to write. */
+/** A sketch whose function does not fit an action does not compile. The compiler message tells the solution. */
 @Tags("Thorough")
 class WrongFunctionSpec : FunSpec({
     val library = File("../javino-arduino").canonicalFile

@@ -11,7 +11,7 @@ import kotlin.time.Duration.Companion.seconds
 private val PLACES = listOf("north", "east", "south", "west")
 
 class CoordinatorSpec : FunSpec({
-    /** Has [scout] come: the fleet says that it is there, and it reports. */
+    /** Makes [scout] appear: the fleet announces it, and the scout reports. */
     fun TestAgent.comes(scout: String) =
         hears("fleet", "tell", "agent($scout,$scout)").hears(scout, "achieve", "hear").after(2.seconds)
 

@@ -59,12 +59,12 @@ class FleetSpec : FunSpec({
     }
 })
 
-/** Kills processes of the fleet that [start] starts, and waits until the others have taken over. */
+/** Kills processes of the fleet that [start] starts. Waits until the others have taken over. */
 private fun shouldGoOn(start: ((String) -> Unit) -> Fleet) {
     val lines = Lines()
     start(lines::add).use { fleet ->
         lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
-        for (scout in listOf("scout1", "scout2")) lines.await { "$scout has visited" in it } // again and again, in any order
+        for (scout in listOf("scout1", "scout2")) lines.await { "$scout has visited" in it } // repeated, in any order
         val orphaned = lines.watched("scout2")
 
         fleet.kill("scout2")
@@ -86,8 +86,8 @@ private fun shouldGoOn(start: ((String) -> Unit) -> Fleet) {
 }
 
 /**
- * Returns the addresses of this computer beside 127.0.0.1. On Linux all of 127 reaches a program that listens everywhere, but not one that
- * listens on 127.0.0.1.
+ * Returns the addresses of this computer except 127.0.0.1. On Linux, other addresses of 127.0.0.0/8 reach only programs that listen on all
+ * interfaces.
  */
 private fun otherAddresses(): List<InetAddress> {
     val others = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filterNot { it.isLoopbackAddress }
@@ -101,7 +101,7 @@ private fun isOpen(address: InetAddress, port: Int): Boolean = try {
     false
 }
 
-/** The lines that the computers print, and the watches that the coordinator has shared out by them. */
+/** The printed lines of the computers, and the assignments of the coordinator in them. */
 private class Lines {
     private val unread = LinkedBlockingQueue<String>()
     private val watches = LinkedHashMap<String, String>()
@@ -109,10 +109,8 @@ private class Lines {
 
     fun add(line: String) = unread.put(line)
 
-    /** Returns the places that [scout] watches, as far as lines have been read. */
     fun watched(scout: String): List<String> = watches.filterValues { it == scout }.keys.toList()
 
-    /** Reads on until [wanted] is true for a line and those before it. */
     fun await(wanted: Lines.(String) -> Boolean) {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {

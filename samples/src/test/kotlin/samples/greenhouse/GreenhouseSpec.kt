@@ -77,12 +77,11 @@ class GreenhouseSpec : FunSpec({
     }
 })
 
-/** The length of a minute of the gardener. Shorter ones take less, since lines and timers have less to do. */
+/** The length of a minute for the gardener. A longer minute would give more work to lines and timers. */
 private val MINUTE = 6.seconds
 
 private val thorough = setOf(NamedTag("Thorough"))
 
-/** A day of the simulated greenhouse on the board of an agent. */
 private class Day(private val gardener: TestAgent) {
     private var now = Duration.ZERO
     private var heard = 0

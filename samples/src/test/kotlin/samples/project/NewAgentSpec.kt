@@ -6,7 +6,6 @@ import io.kotest.matchers.collections.shouldHaveSize
 import kotlin.io.path.Path
 import kotlin.time.Duration.Companion.seconds
 
-/** The agent that `java -jar argo.jar new` writes. */
 class NewAgentSpec : FunSpec({
     val program = Path("../argo-tools/src/main/resources/argo/tools/project/robot.asl")
     val port = "replay:recordings/drive.rec"

@@ -12,7 +12,7 @@ import kotlin.io.path.Path
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** The agents of the sample, each on a board of the test kit, and the boards of the sample. */
+/** The agents of the sample on simulated boards, and the boards of the sample. */
 class SensingAgentsSpec : FunSpec({
     fun sees(agent: String, vararg percepts: String) = agent(Path("sensing-agents/$agent.asl")) {
         options("beliefs" to "board(ttyACM0), limit(${if (agent == "engineer") 40 else 80})")
