@@ -31,7 +31,7 @@ internal class FleetCommand : ToolCommand() {
     private var bind: String? = null
 
     @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
-    @Suppress("unused") // only for the help: `main` reads this option, before it loads Jason
+    @Suppress("unused") // for the help; `main` reads this option before it loads Jason
     private var classPath: String? = null
 
     override fun call(): Int {
@@ -50,7 +50,7 @@ internal class FleetCommand : ToolCommand() {
         } catch (broken: IOException) {
             throw ToolException("$here cannot join the fleet: ${broken.message}")
         }
-        Thread.currentThread().join() // when the agents' system ends, it ends the program
+        Thread.currentThread().join() // the end of the agents' system ends the program
         return 0
     }
 

@@ -11,8 +11,8 @@ import kotlin.system.exitProcess
 /**
  * Runs the agents of one computer of a fleet: `java -jar argo-fleet.jar robots.mas2j --at scout1`.
  *
- * This program's jar does not contain Jason. Jason is in another jar of the same folder, or on `--class-path`. If Jason is missing from the
- * class path, the program loads its own classes again, together with Jason.
+ * This program's jar does not contain Jason. Jason is in another jar of its folder, or on `--class-path`. If Jason is not on the class
+ * path, the program loads its own classes again together with Jason.
  */
 fun main(arguments: Array<String>) {
     if (hasJason(FleetCommand::class.java.classLoader)) exitProcess(run(arguments))

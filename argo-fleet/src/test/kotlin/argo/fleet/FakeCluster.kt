@@ -10,7 +10,7 @@ import java.util.concurrent.CompletionStage
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** The cluster of the computer [here], whose other computers a test plays. */
+/** The cluster of the computer [here]. A test plays the other computers. */
 internal class FakeCluster(override val here: String) : Cluster {
     /** A message that this computer has sent to [to]. The test completes [end]. */
     class Sent(val to: String, val message: FleetMessage, val end: CompletableFuture<Void>)
@@ -18,7 +18,7 @@ internal class FakeCluster(override val here: String) : Cluster {
     private lateinit var listener: ClusterListener
     private val sent = LinkedBlockingQueue<Sent>()
 
-    /** What to do with messages of which the test awaits none; by default they arrive. */
+    /** Handles messages that the test does not await. By default, they arrive. */
     var answer: (Sent) -> Unit = { it.end.complete(null) }
 
     override fun listen(listener: ClusterListener) {
@@ -32,18 +32,16 @@ internal class FakeCluster(override val here: String) : Cluster {
         return one.end
     }
 
-    /** Other [computers], each with its session, are in touch now. */
+    /** The other computers in touch are now [others], pairs of name and session. */
     fun view(vararg others: Pair<String, String>) {
         val computers = (others.toList() + (here to "1")).associate { (name, session) -> name to Computer(name, session) }
         listener.changed(ClusterView(computers, hasMajority = true))
     }
 
-    /** The computer [from] sends [message]. */
     fun receives(from: String, message: FleetMessage) = receives(from, message.encode())
 
     fun receives(from: String, message: ByteArray) = listener.message(from, message)
 
-    /** Returns the next message of an agent, or the next wish to kill one. */
     fun next(): Sent = sent.poll(PATIENCE_S, TimeUnit.SECONDS) ?: throw AssertionError("nothing has been sent")
 
     override fun close() = Unit

@@ -25,11 +25,11 @@ import jason.infra.local.LocalAgArch
 import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.time.Duration.Companion.seconds
 
-/** Agents of one computer of a fleet, whose other computers are played here. */
+/** Agents of one computer of a fleet. The test plays the other computers. */
 class FleetAgentsSpec : FunSpec({
     fun whole(vararg agents: String) = RosterNews(isWhole = true, came = agents.toSet())
 
-    /** The computer `base` with an agent `a`, which gets the goal `go` when the test says so, and `scout1` with the agent `b`. */
+    /** Makes the computer `base` with an agent `a`, which gets the goal `go` on request, and `scout1` with the agent `b`. */
     suspend fun computer(program: String, options: String = "", also: OneComputer.() -> Unit = {}, test: suspend OneComputer.() -> Unit) =
         OneComputer("a $options at \"base\"; late at \"scout2\";", "a" to "$program\n+failed(E)[source(self)].").use {
             it.cluster.view("scout1" to "1")
@@ -319,7 +319,7 @@ class FleetAgentsSpec : FunSpec({
             }
             cluster.view("scout1" to "2", "scout2" to "1")
             told shouldContainExactlyInAnyOrder listOf("scout1", "scout2").map { it to whole("a").copy(asksBack = true) }
-            fleet.directory.names shouldNotContain "b" // until scout1, which is new, has told
+            fleet.directory.names shouldNotContain "b" // until scout1, which is new, has reported its agents
             told.clear()
             cluster.receives("scout1", whole("b").copy(asksBack = true))
             told shouldBe listOf("scout1" to whole("a"))

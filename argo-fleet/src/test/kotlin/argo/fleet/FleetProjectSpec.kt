@@ -11,7 +11,6 @@ import jason.mas2j.MAS2JProject
 import jason.mas2j.parser.mas2j
 import kotlin.io.path.writeText
 
-/** What a `.mas2j` says about its fleet. */
 class FleetProjectSpec : FunSpec({
     fun project(infrastructure: String, agents: String = "a at \"base\";"): MAS2JProject =
         mas2j("MAS garden { infrastructure: $infrastructure agents: $agents }".byteInputStream()).mas().apply { setupDefault() }

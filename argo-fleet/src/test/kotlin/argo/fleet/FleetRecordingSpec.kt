@@ -17,7 +17,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldEndWith
 import kotlin.time.Duration.Companion.seconds
 
-/** A recorded agent of a fleet acts again as it did when Jason runs it on its recording, without the fleet. */
+/** A replay of a recorded agent without its fleet repeats the agent's actions. */
 class FleetRecordingSpec : FunSpec({
     val program = """
         +!go <- .send(b, tell, hello); +said; !ask; !lose; !miss; !late; !kill; .broadcast(tell, bye); .send(a, tell, own); +done.

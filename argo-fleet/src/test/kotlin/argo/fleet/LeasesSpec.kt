@@ -36,7 +36,7 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 import kotlin.time.Duration.Companion.seconds
 
-/** An agent that outlives its computer, on one of three computers, whose others are played here in real time. */
+/** An agent that outlives its computer, on one of three computers in real time. The test plays the other two. */
 @Tags("Thorough")
 class LeasesSpec : FunSpec({
     test("a computer that is granted an agent gets to know the agent's mind first, if it does not know it") {
@@ -49,7 +49,7 @@ class LeasesSpec : FunSpec({
             base.cluster.view("scout1" to "1")
             val mind = MindNews("m", 1, 7, "counted(7).")
             base.cluster.receives("scout1", mind)
-            eventually(60.seconds) { // it grants nothing at the beginning
+            eventually(60.seconds) { // a computer grants nothing shortly after its start
                 base.cluster.receives("scout1", Claim("m", 1, 2))
                 sent shouldContain Grant("m", 1, 2, true)
             }
@@ -93,7 +93,7 @@ class LeasesSpec : FunSpec({
                 one.end.complete(null)
                 claims += one.message
             }
-            delay(1.seconds) // three claims would have been made
+            delay(1.seconds) // the time of three claims
             claims shouldBe emptyList()
         }
     }
@@ -198,7 +198,7 @@ class LeasesSpec : FunSpec({
         LateAgent.hold()
         OneComputer("m agentClass argo.fleet.LateAgent at \"base, scout1\";", "m" to "place(north).").use { base ->
             val isGranting = AtomicBoolean(true)
-            val (claimed, granted) = AtomicLong() to AtomicLong() // the terms of the last claim, and of the last that was granted
+            val (claimed, granted) = AtomicLong() to AtomicLong() // the terms of the last claim and of the last granted claim
             base.cluster.answer = { one ->
                 one.end.complete(null)
                 (one.message as? Claim)?.let { claim ->
@@ -213,18 +213,17 @@ class LeasesSpec : FunSpec({
             eventually(60.seconds) { LateAgent.isHeld() shouldBe true }
             isGranting.set(false)
             val before = granted.get()
-            eventually(60.seconds) { claimed.get() shouldBeGreaterThan before } // it has given the first one up
+            eventually(60.seconds) { claimed.get() shouldBeGreaterThan before } // the computer has given up its first reign
             isGranting.set(true)
             eventually(60.seconds) { granted.get() shouldBeGreaterThan before }
             LateAgent.release()
             base.shouldBelieve("m", "place(north)[source(self)]")
-            delay(1.seconds) // the first one would have been taken away by then, and the second with it
+            delay(1.seconds) // the first reign and the second would have ended by then
             base.believed("m") shouldContain "place(north)[source(self)]"
         }
     }
 })
 
-/** A computer without agents of its own. */
 internal object Nobody : LocalAgents {
     override fun take(message: Say) = Unit
     override fun take(message: Unanswered) = Unit
@@ -234,7 +233,7 @@ internal object Nobody : LocalAgents {
     override fun refused(reason: String) = Unit
 }
 
-/** An agent that the machine has no thread for: the thread that has created it can make no other thread. */
+/** An agent without threads on its machine. The creating thread cannot make another thread. */
 class ThreadlessAgent : Agent() {
     override fun initAg() {
         super.initAg()
@@ -248,12 +247,12 @@ class ThreadlessAgent : Agent() {
     }
 }
 
-/** An agent whose choice of an event ends with an error. */
+/** An agent whose selection of an event throws an error. */
 class FailingAgent : Agent() {
     override fun selectEvent(events: Queue<Event>): Event = throw NoClassDefFoundError("it needs a class that is not there")
 }
 
-/** An agent, the first of which is created only when a test has it. */
+/** An agent whose first instance is created only when a test allows it. */
 class LateAgent : Agent() {
     override fun initAg() {
         held?.let {

@@ -19,10 +19,10 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The computer `base` of a fleet, whose other computers a test plays.
+ * The computer `base` of a fleet. A test plays the other computers.
  *
  * @param placed the agents of the project file, such as `a at "base";`
- * @param programs the programs of agents by their names
+ * @param programs the programs of agents, by agent name
  */
 internal class OneComputer(placed: String, vararg programs: Pair<String, String>) : AutoCloseable {
     private val directory = createTempDirectory("fleet")
@@ -41,7 +41,7 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
 
     init {
         Logger.getLogger("").addHandler(handler)
-        Config.get()[Config.START_WEB_MI] = "false" // Jason would start a server
+        Config.get()[Config.START_WEB_MI] = "false" // starts no web server
         programs.forEach { (agent, program) -> directory.resolve("$agent.asl").writeText(program) }
         val project = mas2j(
             """
@@ -65,14 +65,13 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
 
     fun longestSleepMs(agent: String): Long = (mas.getAg(agent) as FleetAgArch).longestSleepMs
 
-    /** The computers that the live view of [agent] shows. */
     fun observed(agent: String): List<ObservedComputer> = (mas.getAg(agent).firstAgArch as Arch).observed.computers
 
-    /** Waits until [agent] believes all of [beliefs]. */
+    /** Waits until [agent] has all [beliefs]. */
     suspend fun shouldBelieve(agent: String, vararg beliefs: String) =
         eventually(60.seconds) { believed(agent) shouldContainAll beliefs.asList() }
 
-    /** Waits until the log has lines with [text], at least as many as [times]. */
+    /** Waits until at least [times] lines of the log contain [text]. */
     suspend fun shouldLog(text: String, times: Int = 1) =
         eventually(60.seconds) { records.count { text in it.message } shouldBeGreaterThanOrEqual times }
 

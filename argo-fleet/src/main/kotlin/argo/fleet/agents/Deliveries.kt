@@ -13,12 +13,12 @@ import java.util.logging.Logger
 /**
  * A message on its way to another computer.
  *
- * @property id the message's id; if an intention asks a question, Jason suspends it under this id
+ * @property id the message's id. If the message is a question, Jason suspends the asking intention under this id
  */
 internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
     val end: CompletableFuture<Void> = end.toCompletableFuture()
 
-    /** Logs a warning if the message does not arrive. Call this if no action waits for the message. */
+    /** Logs a warning if the message does not arrive. Call this function if no action waits for the message. */
     fun tellFailure() {
         end.whenComplete { _, failed ->
             if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
@@ -27,8 +27,8 @@ internal class Delivery(val id: String?, private val receiver: String, private v
 }
 
 /**
- * Collects the messages that an internal action sends to other computers while the agent's thread carries out the action. The action then
- * waits for the outcomes of these messages. If no action waits for a message, its failure is logged.
+ * Collects the messages to other computers that an internal action sends. The action then waits for their outcomes. If no action waits for
+ * a message, its failure is logged.
  */
 internal object Deliveries {
     private val collected = ThreadLocal<MutableList<Delivery>>()
@@ -48,19 +48,22 @@ internal object Deliveries {
         }
     }
 
-    /** Notes [delivery] for the action that the calling thread carries out; if there is none, only logs the failure of [delivery]. */
+    /** Adds [delivery] to the action of the calling thread. If there is no action, only logs a failure of [delivery]. */
     fun add(delivery: Delivery) = collected.get()?.add(delivery) ?: delivery.tellFailure()
 }
 
 /**
- * Makes an internal action wait for its messages to other computers. The action fails if a message is not known to have arrived. Only the
- * action's intention waits, but an atomic one blocks the agent's others. The cluster ends each wait. It is longest if a computer's cable is
- * out: that computer is missed after three rounds of signs of life (see `failures` in JGroupsStack.kt). Belongs to one agent.
+ * Makes an internal action wait for its messages to other computers. The action fails if the arrival of a message is not confirmed. Only
+ * the action's intention waits, but an atomic intention blocks all others. The cluster ends each wait. The longest wait is that for a
+ * computer with an unplugged cable, which is lost after three rounds of signs of life (`failures` in JGroupsStack.kt). Belongs to one
+ * agent.
  *
- * @param questions the agent's questions to other computers, including those of the action
+ * @param questions the agent's questions to other computers
  */
 internal class DeliveryWait(private val questions: Questions) {
-    /** Whether the last call of [carryOut] has suspended its intention, until messages arrive, not until a question is answered. */
+    /**
+     * True if the last call of [carryOut] has suspended its intention until messages arrive. False if the intention waits for an answer.
+     */
     var isWaiting = false
         private set
 
@@ -82,28 +85,28 @@ internal class DeliveryWait(private val questions: Questions) {
     private fun await(sent: List<Delivery>, end: (JasonException?) -> Unit) {
         CompletableFuture.allOf(*sent.map { it.end }.toTypedArray()).whenComplete { _, _ ->
             val lost = sent.filter { it.end.isCompletedExceptionally }
-            lost.drop(1).forEach(Delivery::tellFailure) // the failure of the first one goes to the plan
+            lost.drop(1).forEach(Delivery::tellFailure) // the plan gets the failure of the first one
             end(lost.firstOrNull()?.end?.handle { _, failed -> errorOf(failed) }?.join())
         }
     }
 
-    /** Undoes the suspension of the intention if sending failed: Jason suspends it before it sends a question, and no answer will come. */
+    /** Ends the suspension if sending failed. Jason suspends an intention before it sends a question, and no answer will come. */
     private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
         it.tellFailure()
         ts.c.removePendingIntention(it.id ?: return@forEach)
     }
 }
 
-/** Returns the exception for a message that did not arrive; [reason] tells why. The exception has the `error(…)` that plans match. */
+/** Returns the exception for a message that did not arrive because of [reason]. The exception has the `error(…)` that plans match. */
 internal fun errorOf(reason: Throwable): JasonException =
     reason.reason() as? JasonException ?: refusalOf(reason).let { AwaitedOutside.exceptionOf(it.error, it.message.orEmpty()) }
 
-/** Converts [reason], which tells why a message did not arrive, into a refusal, which other computers understand. */
+/** Converts [reason], the cause of a lost message, into a refusal that other computers understand. */
 internal fun refusalOf(reason: Throwable): Refused = when (val cause = reason.reason()) {
     is Refused -> cause
     is Overloaded -> Refused("overloaded", cause.message.orEmpty())
     else -> Refused("unreachable", cause.message ?: "$cause")
 }
 
-/** Returns the exception for a message to an agent that does not exist. Without a fleet, Jason gives the same error. */
+/** Returns the exception for a message to an agent that does not exist. Jason without a fleet gives the same error. */
 internal fun noAgent(message: String): JasonException = AwaitedOutside.exceptionOf(AwaitedOutside.NO_AGENT, message)

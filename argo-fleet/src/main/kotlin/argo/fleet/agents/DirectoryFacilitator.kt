@@ -9,14 +9,14 @@ import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Replaces Jason's agent `df` for the whole fleet: agents register services here, and search for services. Each computer knows the services
- * of all computers, and informs the subscribers among its own agents.
+ * of all computers. A computer informs the subscribers among its own agents.
  *
  * Safe for use by several threads.
  *
- * @param deliver puts a message into the mailbox of an agent of this computer; does nothing if that agent has ended
+ * @param deliver puts a message into the mailbox of a local agent. If the agent has ended, the function does nothing
  */
 internal class DirectoryFacilitator(private val fleet: Fleet, private val deliver: (Message) -> Unit) {
-    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // in these offers, the agent is the subscriber
+    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // the agent of these offers is the subscriber
 
     fun register(agent: String, service: String) = fleet.offer(Offer(agent, service))
 
@@ -29,7 +29,7 @@ internal class DirectoryFacilitator(private val fleet: Fleet, private val delive
         search(service).forEach { tell(agent, it, service) }
     }
 
-    /** All services, by their agents. */
+    /** All services, by agent. */
     fun services(): Map<String, Set<String>> =
         fleet.directory.offers.groupBy({ it.agent }, { it.service }).mapValues { (_, services) -> services.toSet() }
 

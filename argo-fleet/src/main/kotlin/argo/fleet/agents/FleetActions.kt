@@ -9,11 +9,11 @@ import jason.stdlib.broadcast
 import jason.stdlib.kill_agent
 import jason.stdlib.send
 
-/** Jason's internal actions that send messages. In a fleet they wait until the other computer has the message, or fail. */
+/** Jason's internal actions that send messages. In a fleet, they wait until the other computer has the message, or they fail. */
 internal object FleetActions {
     /**
-     * Makes the program of [agent], which has these [questions], use the actions of this file. Jason keeps each agent's actions by the
-     * names of Jason's own classes.
+     * Makes the program of [agent] use the actions of this file. [questions] are those of the agent. Jason stores each agent's actions
+     * under the names of Jason's own classes.
      */
     fun install(agent: Agent, questions: Questions) {
         agent.setIA(send::class.java.name, FleetSend(questions))

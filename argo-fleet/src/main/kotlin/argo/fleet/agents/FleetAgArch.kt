@@ -31,12 +31,13 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The infrastructure of an agent in a [Fleet]: the last of its architectures. The agent can also send to agents of other computers.
+ * The infrastructure of an agent in a [Fleet]: the last of its architectures. The agent can also send messages to agents of other
+ * computers.
  *
- * @param reign the time during which an agent that outlives its computer runs here; null: the agent does not outlive its computer
- * @param begun the mind with which such an agent begins; null: the agent begins as its program says
- * @param keep takes the mind of an agent that outlives its computer; fails if a computer that may run it has not got it
- * @param failed takes the error that has ended the agent's thread
+ * @param reign the time for which an agent that outlives its computer runs here, or null for another agent
+ * @param begun the first mind of such an agent, or null if it starts as its program says
+ * @param keep takes the mind of such an agent. The function fails if a computer that may run the agent did not get the mind
+ * @param failed takes the error that ended the agent's thread
  */
 internal class FleetAgArch(
     private val fleet: Fleet,
@@ -45,7 +46,7 @@ internal class FleetAgArch(
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
     private val failed: (Throwable) -> Unit = { throw it },
 ) : LocalAgArch(), SeveralComputers {
-    /** The term of the reign in which the agent runs here; 0: the agent does not outlive its computer. */
+    /** The term of the reign in which the agent runs here, or 0 if it does not outlive its computer. */
     val term: Long = reign?.term ?: 0
     private val questions = Questions()
     private val sleepLock = ReentrantLock()
@@ -58,21 +59,20 @@ internal class FleetAgArch(
     private var minds = 0L
 
     @Volatile
-    private var isTold = false // whether all computers that may run the agent have its mind
+    private var isTold = false // true if all computers that may run the agent have its mind
 
     @Volatile
     private var percepts: FleetPercepts? = null
 
     /**
-     * Jason calls this after it has read the program, and before it makes the agent's other architectures, of which one may record the
-     * agent.
+     * Jason calls this function between reading the program and making the agent's other architectures. One of these may record the agent.
      */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return
         FleetActions.install(ts.ag, questions)
         ts.c.addEventListener(object : CircumstanceListener {
-            override fun eventAdded(event: Event) = wake() // also an event of a project's own thread, which may not wake the agent
+            override fun eventAdded(event: Event) = wake() // events of other threads in the project may not wake the agent
         })
         percepts = FleetPercepts.of(ts.settings.getUserParameter(FleetPercepts.OPTION), logger::severe)
         begun?.let(::goOnWith)
@@ -112,8 +112,8 @@ internal class FleetAgArch(
     }
 
     /**
-     * If [answer], which does not arrive at [computer] for [reason], answers a question, tells the asker, since that waits. An asker that
-     * is out of touch notices it itself.
+     * If [answer] answers a question, tells the asker that it does not arrive at [computer] because of [reason]. An asker that is out of
+     * touch detects it itself.
      */
     private fun tellUnanswered(answer: Message, computer: String, reason: Refused) {
         val question = answer.inReplyTo ?: return
@@ -121,13 +121,16 @@ internal class FleetAgArch(
         fleet.send(computer, Unanswered(question, answer.receiver, reason.error, words))
     }
 
-    /** Fails the agent's question, whose answer does not arrive. If no intention waits for the answer, tells the log. Any thread. */
+    /**
+     * Fails the question whose answer does not arrive. Logs the failure if no intention waits for the answer. Safe for use by several
+     * threads.
+     */
     fun take(message: Unanswered) {
         val isTold = questions.fail(message.question, Refused(message.error, message.reason))
         if (!isTold) logger.warning("a question gets no answer: ${message.reason}")
     }
 
-    /** Sends [message] to all other agents. If sending fails for some agents, the others still get [message]. */
+    /** Sends [message] to all other agents. If sending to some agents fails, the others still get [message]. */
     override fun broadcast(message: Message) {
         val failures = (fleet.directory.names - agName).mapNotNull { receiver ->
             try {
@@ -141,7 +144,7 @@ internal class FleetAgArch(
         failures.firstOrNull()?.let { throw it }
     }
 
-    /** Takes [message], which an agent of another computer has sent. Any thread. @throws Refused if its content cannot be read */
+    /** Takes [message] from an agent of another computer. Any thread. @throws Refused if its content cannot be read */
     fun take(message: Say) {
         val content = try {
             MessageContent.read(message.content, ts.ag)
@@ -150,7 +153,7 @@ internal class FleetAgArch(
         } catch (_: StackOverflowError) {
             refuse(message, "it is nested too deep")
         }
-        if (content is Literal && !content.isGround) content.makeVarsAnnon() // the variables' names belong to the sender
+        if (content is Literal && !content.isGround) content.makeVarsAnnon() // the names of variables belong to the sender
         receiveMsg(
             Message(message.force, message.from, message.to, content, message.id).apply { inReplyTo = message.inReplyTo },
         )
@@ -166,7 +169,10 @@ internal class FleetAgArch(
         super.receiveMsg(message)
     }
 
-    /** Fails intentions that wait for an answer from a computer that is off now. Wakes an agent that perceives the fleet. Any thread. */
+    /**
+     * Fails intentions that wait for an answer from a lost computer. Wakes an agent that perceives the fleet. Safe for use by several
+     * threads.
+     */
     fun directoryChanged(now: Directory) {
         questions.failLost(now)
         isTold = false
@@ -188,7 +194,7 @@ internal class FleetAgArch(
         return wanted.perceive(environment, fleet.directory)
     }
 
-    /** Runs the agent until it is stopped. Jason's reasoning cycle catches exceptions, but an error ends the agent's thread. */
+    /** Runs the agent until it is stopped. Jason's reasoning cycle catches exceptions, but an error would end the agent's thread. */
     override fun run() = try {
         super.run()
     } catch (@Suppress("TooGenericExceptionCaught") error: Throwable) {
@@ -218,16 +224,14 @@ internal class FleetAgArch(
         keep(MindNews(agName, reign.term, ++minds, mind.program())).whenComplete { _, lost -> if (lost != null) isTold = false }
     }
 
-    /**
-     * Sleeps until [wake] is called, [longestSleepMs] at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too.
-     */
+    /** Sleeps until [wake] is called, for at most [longestSleepMs]. Unlike in Jason's own class, an earlier call of [wake] counts, too. */
     override fun sleep() {
         if (ts.settings.isSync) return
         sleepLock.withLock {
             try {
                 if (!isWoken) woken.await(sleepMs, TimeUnit.MILLISECONDS)
             } catch (_: InterruptedException) {
-                // the agent is stopped
+                // the agent was stopped
             }
             sleepMs = if (isWoken) FIRST_SLEEP_MS else minOf(2 * sleepMs, longestSleepMs)
             isWoken = false
@@ -235,8 +239,8 @@ internal class FleetAgArch(
     }
 
     /**
-     * Jason's second for agents whose environment, other architectures or class may want to be asked for news, and for those whose mind is
-     * kept. All news wake the other agents, so while nothing happens they cost next to nothing.
+     * Jason's second, for agents whose environment, other architectures or class may have to be asked for news. The limit also applies to
+     * agents whose mind is stored. Other agents are woken by all news, so they cost almost nothing while idle.
      */
     internal val longestSleepMs: Long
         get() {
@@ -252,13 +256,13 @@ internal class FleetAgArch(
     private fun held() = errorOf(Unreachable("$agName does not run here now: most computers of the fleet are out of touch"))
 
     private companion object {
-        /** The time between two copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */
+        /** The interval between copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
         const val SHORT_SLEEP_MS = 1000L
         const val LONG_SLEEP_MS = 30_000L
 
-        /** The most characters that tell an asker why its question gets no answer; a reason may contain the answer. */
+        /** The length limit for the reason why a question gets no answer. A reason may contain the answer. */
         const val MAX_REASON = 500
     }
 }

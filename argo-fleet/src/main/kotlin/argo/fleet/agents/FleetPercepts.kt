@@ -7,7 +7,7 @@ import jason.asSyntax.Term
 
 /**
  * The percepts about a fleet that an agent asks for by the option `argo_fleet="computers,agents"`: `computer(scout1,on)` and
- * `agent(a,scout1)`. Belongs to the agent's thread.
+ * `agent(a,scout1)`. Only the agent's thread uses this class.
  */
 internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     private enum class Kind { COMPUTERS, AGENTS }
@@ -16,9 +16,9 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     private var environment: Collection<Literal> = emptyList()
 
     /**
-     * Returns all percepts of the agent, both from its environment and about the fleet; null: nothing has changed.
+     * Returns all percepts of the agent, those of its environment and those about the fleet. Returns null if nothing has changed.
      *
-     * @param news the environment's present percepts; null: they are as before
+     * @param news the current percepts of the environment, or null if they are unchanged
      */
     fun perceive(news: Collection<Literal>?, now: Directory): MutableCollection<Literal>? {
         if (news == null && now === seen) return null
@@ -41,13 +41,13 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
     companion object {
         const val OPTION = "argo_fleet"
 
-        /** A name that needs no quotes in a program. Names of hosts may have hyphens, and then need quotes. */
+        /** Matches a name that needs no quotes in a program. Host names may contain hyphens, and then need quotes. */
         private val ATOM = Regex("[a-z][A-Za-z0-9_]*")
 
         /** The allowed values of the option, in words for the user. */
         const val USAGE = "computers and agents, or one of them, as \"computers,agents\""
 
-        /** Returns the percepts for the value [option]; null: no percepts. If the value is wrong, calls [refuse] with the reason. */
+        /** Returns the percepts for the option value [option], or null for none. If the value is wrong, calls [refuse] with the reason. */
         fun of(option: String?, refuse: (String) -> Unit): FleetPercepts? {
             val words = option?.split(',')?.map { it.trim().trim('"') } ?: return null
             val kinds = words.map { word -> Kind.entries.find { it.name.equals(word, ignoreCase = true) } }

@@ -16,8 +16,8 @@ import jason.runtime.SourcePath
 import java.util.logging.Logger
 
 /**
- * The services of Jason's runtime in a fleet. Names, registered services and the system's end concern all computers. New agents run on this
- * one.
+ * The services of Jason's runtime in a fleet. Names, registered services and the end of the system concern all computers. New agents run on
+ * this computer.
  *
  * Jason 3.2.1 has `getAgentsNames`, which Jason 3.3.0 calls `getAgentsName`.
  */
@@ -29,10 +29,10 @@ internal class FleetServices(
 ) : LocalRuntimeServices(mas) {
     private class Making(val name: String, val architecture: () -> LocalAgArch)
 
-    /** The agent of the project that the calling thread is creating; null: none. */
+    /** The project's agent that the calling thread is creating, or null. */
     private val making = ThreadLocal<Making>()
 
-    /** Lets [create] create an agent of the project under its own [name]. [architecture] makes the agent's infrastructure. */
+    /** Lets [create] create an agent of the project under the name [name]. [architecture] makes the agent's infrastructure. */
     fun createOwn(name: String, architecture: () -> LocalAgArch, create: FleetServices.() -> Unit) {
         making.set(Making(name, architecture))
         try {
@@ -42,7 +42,10 @@ internal class FleetServices(
         }
     }
 
-    /** Jason creates agents only if this is true, but the project's agents must exist before the system runs. */
+    /**
+     * Returns true also while this thread creates agents. Jason creates agents only in a running system, and the project's agents must
+     * exist earlier.
+     */
     override fun isRunning() = making.get() != null || super.isRunning()
 
     override fun newAgInstance(): LocalAgArch = making.get()?.architecture?.invoke() ?: FleetAgArch(fleet)
@@ -51,7 +54,7 @@ internal class FleetServices(
         if (base == making.get()?.name) base
         else (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { fleet.directory.find(it) == Place.Unknown }
 
-    /** Leaves out the infrastructure of [father], which Jason lists among the architectures that a new agent takes over from its father. */
+    /** Leaves out the infrastructure of [father]. Jason lists it among the architectures for the new agent. */
     override fun createAgent(
         name: String?, source: String?, agentClass: String?, architectures: List<String>?, beliefBase: ClassParameters?,
         settings: Settings?, father: Agent?,

@@ -9,10 +9,10 @@ import jason.asSyntax.Literal
 import java.util.logging.Logger
 
 /**
- * Gives the agent of [ts] the mind [program], which replaces the beliefs and goals of the agent's own program. Call this after the agent
- * has read its own program and before it begins.
+ * Gives the agent of [ts] the mind [program]. The mind replaces the beliefs and goals of the agent's own program. Call this function
+ * between reading that program and starting the agent.
  *
- * @throws IllegalArgumentException if [program] cannot be read; the agent is then unchanged
+ * @throws IllegalArgumentException if [program] cannot be read. The agent is then unchanged
  */
 internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
     val mind = Mind.ofProgram(program)

@@ -3,16 +3,16 @@ package argo.fleet.cluster
 import java.util.concurrent.CompletionStage
 
 /**
- * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, or its sender is told that it failed.
- * Messages of one sender arrive in the order of its calls of [send]. Computers find each other by themselves, also after a loss.
+ * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, or its sender learns of the failure.
+ * Messages of one sender arrive in the order of its calls of [send]. Computers find each other by themselves, even after a loss.
  */
 interface Cluster : AutoCloseable {
     /** This computer's name. */
     val here: String
 
     /**
-     * Joins the fleet. The listener first gets a view that contains at least this computer. One thread of the cluster makes all calls of
-     * the listener, and completes the results of [send], in order.
+     * Joins the fleet. The listener first gets a view with at least this computer. One thread of the cluster calls the listener and
+     * completes the results of [send], in order.
      *
      * @throws IllegalStateException at a second call
      */
@@ -22,13 +22,13 @@ interface Cluster : AutoCloseable {
      * Sends [message] to the listener of the computer [to], which may be this one. Do not change [message] afterwards. Returns at once,
      * whatever the network does.
      *
-     * @return completed when the listener there has returned. Fails with [Unreachable] if the computer is not in touch, or is lost before
-     * it acknowledges the message; in the latter case the message may have arrived. Fails with [Overloaded] if [message] is too long or too
-     * much waits for the computer, and with [Refused] if its listener threw an exception.
+     * @return completes when the listener there has returned. Fails with [Unreachable] if the computer is not in touch, or is lost before
+     * it acknowledges the message. A message to a lost computer may have arrived. Fails with [Overloaded] if [message] is too long or if
+     * too much waits for the computer. Fails with [Refused] if the listener threw an exception
      */
     fun send(to: String, message: ByteArray): CompletionStage<Void>
 
-    /** Leaves the fleet: messages under way fail with [Unreachable]. */
+    /** Leaves the fleet. Unfinished messages fail with [Unreachable]. */
     override fun close()
 }
 
@@ -42,8 +42,8 @@ data class Computer(val name: String, val session: String)
 /**
  * The computers in touch.
  *
- * @property computers the computers in touch, by their names
- * @property hasMajority whether more than half of [ClusterSettings.hosts] are in touch; false if no hosts are named
+ * @property computers the computers in touch, by name
+ * @property hasMajority true if more than half of [ClusterSettings.hosts] are in touch, and false without named hosts
  */
 class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
 
@@ -55,20 +55,17 @@ interface ClusterListener {
      */
     fun message(from: String, message: ByteArray)
 
-    /**
-     * The computers in touch have changed to [view]. Messages of a computer are handed over only while the last view contains that
-     * computer.
-     */
+    /** The computers in touch have changed to [view]. Messages of a computer are delivered only while the last view contains it. */
     fun changed(view: ClusterView)
 
-    /** This computer cannot stay in the fleet, and its cluster closes. [reason] tells the user why. */
+    /** This computer cannot stay in the fleet, and its cluster closes. [reason] is for the user. */
     fun refused(reason: String)
 }
 
-/** A message is not known to have arrived: the receiving computer is not in touch, or was lost before it acknowledged the message. */
+/** The arrival of a message is not confirmed. The receiver is not in touch, or was lost before the acknowledgement. */
 class Unreachable(message: String) : Exception(message)
 
-/** A message was not sent: it is too long, or too much already waits for the receiving computer. */
+/** A message was not sent, because it is too long or because too much waits for the receiving computer. */
 class Overloaded(message: String) : Exception(message)
 
 /**
@@ -77,7 +74,7 @@ class Overloaded(message: String) : Exception(message)
  * @property error the reason in one word, for plans
  */
 class Refused(val error: String, message: String) : Exception(message) {
-    /** The form in which the refusal goes to the sender. */
+    /** The refusal in the form for the sender. */
     internal val line: String get() = "$error $message"
 
     internal companion object {

@@ -5,16 +5,16 @@ import java.net.InetSocketAddress
 import java.nio.file.Path
 
 /**
- * How a computer takes part in a fleet.
+ * The settings of a computer in a fleet.
  *
  * @property fleet the fleet's name; computers of other fleets are refused
  * @property here this computer's name
- * @property hosts the address at which each computer of the fleet listens, by the computer's name, including this computer. Addresses may
- * be unresolved. If empty, every computer that is found on the local network belongs to the fleet
- * @property bind the address at which this computer listens; if [hosts] is empty, it looks for other computers on the same interface
- * @property certificates the folder with the certificates, as for `tls://`; null: connections are not encrypted, and everybody who reaches
- * the port may take part
- * @property insecure whether the user allows unencrypted connections beyond this computer's loopback interface
+ * @property hosts the addresses at which the computers listen, by computer name, with this computer. Addresses may be unresolved. If empty,
+ * every computer on the local network belongs to the fleet
+ * @property bind the address at which this computer listens. If [hosts] is empty, other computers are searched on this interface, too
+ * @property certificates the folder with the certificates, as for `tls://`. Null means unencrypted connections, which everybody who reaches
+ * the port can use
+ * @property insecure true if the user allows unencrypted connections beyond the loopback interface
  * @throws IllegalArgumentException if the settings contradict each other; the message is for the user
  */
 data class ClusterSettings(
@@ -48,7 +48,7 @@ data class ClusterSettings(
         /** The port at which a computer listens by default. */
         const val DEFAULT_PORT = 4711
 
-        /** The longest name of a computer or a fleet, in characters of ASCII. */
+        /** The greatest length of a computer's or a fleet's name, in ASCII characters. */
         const val MAX_NAME = 64
         private val NAME = Regex("[A-Za-z0-9_.-]{1,$MAX_NAME}")
 
@@ -56,7 +56,7 @@ data class ClusterSettings(
             "\"$name\" is no name of a $what: that has 1 to $MAX_NAME letters, digits, dots, hyphens and underscores"
         }
 
-        /** The loopback interface's address, where nobody else can connect. */
+        /** The address of the loopback interface, to which no other computer can connect. */
         fun loopback(port: Int): InetSocketAddress = InetSocketAddress(InetAddress.getLoopbackAddress(), port)
     }
 }

@@ -18,10 +18,10 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * The certificates of a fleet, in the same folder as those for `tls://`. `computer.crt` and `computer.key` belong to this computer, and
+ * The certificates of a fleet, in the folder of those for `tls://`. `computer.crt` and `computer.key` belong to this computer, and
  * `fleet/scout1.crt` to the computer `scout1`. Only the certificates in `fleet/` are trusted. All computers may share one certificate.
  *
- * @throws IOException if a file is missing or cannot be read; the message is for a person
+ * @throws IOException if a file is missing or cannot be read; the message is for the user
  */
 internal class FleetCertificates(folder: Path) {
     private val own: TlsFolder.Identity
@@ -37,7 +37,9 @@ internal class FleetCertificates(folder: Path) {
         others = found.associate { it.nameWithoutExtension to TlsFolder.certificates(it)[0] }
     }
 
-    /** Returns TLS for both ends of a connection: it shows this computer's certificate, and trusts only those of the fleet. */
+    /**
+     * Returns TLS for both ends of a connection. The context shows this computer's certificate, and trusts only certificates of the fleet.
+     */
     fun context(): SSLContext {
         val keys = KeyStore.getInstance("PKCS12").apply { load(null, null) }
         keys.setKeyEntry("computer", own.key(), CharArray(0), own.chain())
@@ -45,7 +47,7 @@ internal class FleetCertificates(folder: Path) {
         return SSLContext.getInstance("TLSv1.3").apply { init(managers, arrayOf<TrustManager>(Trust()), null) }
     }
 
-    /** Returns why the computer with [certificate] cannot be [name]; null: it can. */
+    /** Returns the reason why the computer with [certificate] cannot be [name], or null if it can. */
     fun refusalOf(name: String, certificate: X509Certificate): String? {
         val owners = others.filterValues { it == certificate }.keys
         return if (name in owners || owners.isEmpty()) null

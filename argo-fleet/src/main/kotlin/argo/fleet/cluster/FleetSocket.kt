@@ -15,19 +15,19 @@ import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLException
 import javax.net.ssl.SSLSocket
 
-/** This computer must not connect with the computer at the other end; [message] tells the user why. */
+/** This computer must not connect to the other computer; [message] gives the user the reason. */
 private class Refusal(override val message: String) : IOException(message)
 
-/** Keeps this computer's greeting and certificates, with which each connection begins, and checks those of the other end. */
+/** Holds this computer's greeting and certificates, which start each connection. Checks those of the other end. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {
     val context: SSLContext? = certificates?.context()
 
-    /** The addresses from which the fleet's computers connect; empty: not known. */
+    /** The addresses from which the fleet's computers connect. Empty if they are not known. */
     val addresses: Set<InetAddress> = hosts.values.mapNotNull { it.address }.toSet()
 
-    /** The number of the fleet's computers; 0: not known. */
+    /** The number of the fleet's computers, or 0 if it is not known. */
     val computers: Int get() = hosts.size
 
     /** @throws IOException if this computer must not connect with the computer that shows [other] and [certificate] */
@@ -40,12 +40,12 @@ internal class Entrance(
 }
 
 /**
- * A TCP connection between two computers, encrypted if they have certificates. For JGroups it is a plain socket, which counts as connected
- * only when both ends have shown that they belong to the fleet.
+ * A TCP connection between two computers, encrypted if they have certificates. JGroups uses it as a plain socket. The socket counts as
+ * connected only after both ends have proved that they belong to the fleet.
  */
 internal class FleetSocket(private val entrance: Entrance, private val refusals: Refusals) : Socket() {
     private var secured: SSLSocket? = null
-    private var other: String? = null // the computer at the other end, once it has proved its name
+    private var other: String? = null // the computer at the other end, after it has proved its name
 
     override fun getInputStream(): InputStream {
         val stream = secured?.inputStream ?: super.getInputStream()
@@ -119,11 +119,11 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
     }
 
     private companion object {
-        /** TLS's word for a certificate that the other end does not accept. */
+        /** The TLS alert for a certificate that the other end does not accept. */
         const val REFUSED_THERE = "certificate_unknown"
         const val PATIENCE_MILLIS = 1500
 
-        /** Each connection has such a buffer, which is small, as messages are. */
+        /** The buffer of each connection. The buffer is small, since messages are small. */
         const val BUFFER = 32 shl 10
     }
 }

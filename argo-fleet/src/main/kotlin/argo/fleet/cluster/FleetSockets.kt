@@ -23,15 +23,15 @@ internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFacto
 }
 
 /**
- * Accepts connections, and hands those of the fleet to JGroups. A few threads exchange greetings. A connection is closed if its greeting
- * takes too long, or if it comes while all greeting threads are busy. So connections of strangers need no more memory than these threads,
- * whatever the strangers send.
+ * Accepts connections, and passes those of the fleet to JGroups. A few threads exchange greetings. The door closes a connection if the
+ * greeting takes too long, or if all greeting threads are busy. Connections from outside the fleet therefore need no more memory than these
+ * threads, whatever they send.
  */
 internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
     private val greeted = LinkedBlockingQueue<Socket>()
     private val forStrangers = porters(PORTERS)
 
-    /** These threads greet the fleet's own addresses, so strangers cannot keep them busy. */
+    /** The threads serve only the fleet's own addresses. Connections from outside the fleet cannot keep them busy. */
     private val forHosts = porters(1 + 2 * entrance.computers)
     private val watch: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor(daemons("fleet-door-watch"))
     private val opening = lazy { daemons("fleet-door").newThread(::admitAll).start() }
@@ -81,14 +81,14 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
         forHosts.shutdownNow()
         watch.shutdownNow()
         generateSequence(greeted::poll).forEach(Socket::close)
-        greeted.add(Socket()) // ends the wait of accept
+        greeted.add(Socket()) // ends the wait in accept
     }
 
     private companion object {
         const val PORTERS = 8
         const val PATIENCE_MILLIS = 3000L
 
-        /** The pause after a failed accept, since the system may have no free file descriptors. */
+        /** The pause after a failed accept. The operating system may have no free file descriptors. */
         const val PAUSE_MILLIS = 100L
 
         fun porters(most: Int) = ThreadPoolExecutor(0, most, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))

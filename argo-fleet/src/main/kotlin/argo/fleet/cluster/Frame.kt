@@ -3,7 +3,7 @@ package argo.fleet.cluster
 import java.nio.BufferUnderflowException
 import java.nio.ByteBuffer
 
-/** The bytes that one computer sends to another at a time: a piece of a message, or an acknowledgement of pieces. Format 1. */
+/** The bytes that one computer sends to another in one step: a piece of a message, or an acknowledgement. Format 1. */
 internal sealed interface Frame {
     fun bytes(): ByteArray
 
@@ -11,9 +11,9 @@ internal sealed interface Frame {
      * A message, or a part of a long one.
      *
      * @property number the piece's number in the session, across all messages
-     * @property oldest the number of the oldest piece that still waits for an acknowledgement; all earlier pieces were acknowledged, or
-     * reported as failed
-     * @property isLast whether the message ends with this piece
+     * @property oldest the number of the oldest piece without an acknowledgement. All earlier pieces were acknowledged or reported as
+     * failed
+     * @property isLast true if the message ends with this piece
      */
     class Piece(val number: Long, val oldest: Long, val isLast: Boolean, val content: ByteArray) : Frame {
         override fun bytes(): ByteArray = ByteBuffer.allocate(PIECE_HEADER + content.size)
@@ -21,10 +21,11 @@ internal sealed interface Frame {
     }
 
     /**
-     * @property taken all pieces before this number are done: the listener has taken them, or they have failed and were left out
-     * @property arrived the number of the next awaited piece; all pieces before it have arrived
-     * @property isRepeatWanted whether a later piece has arrived first, so that the awaited piece must be repeated
-     * @property refusals for each refused message among the done pieces: the number of its last piece, with the reason as [Refused.line]
+     * @property taken all pieces before this number are finished. The listener has taken them, or they have failed
+     * @property arrived the number of the next awaited piece. All pieces before it have arrived
+     * @property isRepeatWanted true if a later piece has arrived first. The awaited piece must then be repeated
+     * @property refusals the refused messages among the finished pieces. Each key is the number of the last piece, and the value the reason
+     * as [Refused.line]
      */
     class Acknowledgement(
         val taken: Long,
@@ -49,7 +50,7 @@ internal sealed interface Frame {
         private const val REPEAT: Byte = 4
         private const val ACKNOWLEDGEMENT_HEADER = 1 + 2 * Long.SIZE_BYTES
 
-        /** The bytes of a piece before its content. */
+        /** The number of bytes of a piece before its content. */
         const val PIECE_HEADER = 1 + 2 * Long.SIZE_BYTES
 
         /** @throws IllegalArgumentException if [bytes] are no frame */

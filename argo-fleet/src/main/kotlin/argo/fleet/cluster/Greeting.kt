@@ -6,16 +6,16 @@ import java.security.MessageDigest
 import java.util.HexFormat
 
 /**
- * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So JGroups
- * reads no byte from strangers, nor from computers that have another fleet, version or list of hosts.
+ * The first line of a connection, from either end: `argo-fleet 2 garden scout1 5f3a…`. JGroups therefore reads no byte from other programs,
+ * and none from computers with another fleet, version or list of hosts.
  *
- * @property hosts a digest of the fleet's computers and their addresses. With different names, two parts of the fleet could both count a
+ * @property hosts a digest of the fleet's computers and their addresses. With different names, two parts of a fleet could both count a
  * majority. With different addresses, two computers could have one name
  */
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
 
-    /** Returns why this computer cannot connect with the one that sent [other]; null: it can. */
+    /** Returns the reason why this computer cannot connect to the sender of [other], or null if it can. */
     fun refusalOf(other: Greeting): String? = when {
         other.fleet != fleet -> "${other.name} belongs to the fleet ${other.fleet}, and $name to $fleet"
         other.hosts != hosts -> "the hosts of ${other.name} have other names or addresses than those of $name: give both the same project"
@@ -26,7 +26,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
         private const val WORD = "argo-fleet"
         private const val REFUSED = "refused "
 
-        /** Raise this number with each change of frames, or of anything in JGroups' messages. */
+        /** Increase this number with each change of frames or of JGroups' messages. */
         private const val FORMAT = 2
         private const val MAX_LINE = 400
         private const val PRINTABLE = 40

@@ -1,7 +1,8 @@
 package argo.fleet.cluster
 
 /**
- * The computers in touch, called members, and frames among them. A frame may be lost or come twice. A restarted computer is a new member.
+ * The computers in touch, called members, and the frames between them. A frame may be lost or doubled. A restarted computer is a new
+ * member.
  */
 internal interface Group : AutoCloseable {
     val here: Computer
@@ -10,7 +11,7 @@ internal interface Group : AutoCloseable {
     fun join(listener: GroupListener)
 
     /**
-     * Sends [frame] if the network takes it; never waits. With one caller at a time, the order of frames changes only when a connection is
+     * Sends [frame] if the network accepts it. Never waits. With one caller at a time, frames change their order only when a connection is
      * lost.
      */
     fun transmit(to: Computer, frame: ByteArray)
@@ -19,7 +20,10 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now. Of several members with one name, the oldest comes first. Calls come in the order of the views. */
+    /**
+     * The members in touch are now [members]. Of several members with one name, the oldest comes first. The calls have the order of the
+     * views.
+     */
     fun viewed(members: List<Computer>)
 }
 
@@ -28,7 +32,7 @@ internal interface Loop : AutoCloseable {
     /** Returns the nanoseconds since a fixed instant. */
     fun now(): Long
 
-    /** Runs [task] after all tasks given before. */
+    /** Runs [task] after all earlier tasks. */
     fun execute(task: () -> Unit)
 
     /** Runs [task] once, in [millis] ms. */

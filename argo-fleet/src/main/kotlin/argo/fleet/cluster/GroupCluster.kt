@@ -5,12 +5,12 @@ import java.util.concurrent.CompletionStage
 
 /**
  * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. Callers of [send], the
- * group's threads and the loop hold the lock only for moments, and never during calls of the listener.
+ * group's threads and the loop hold the lock only briefly, and never while they call the listener.
  *
- * @param hosts the computers of the fleet; empty: not known
+ * @param hosts the computers of the fleet; empty if they are not known
  */
 internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
-    /** The session with another member. It is kept while the member is out of touch, since it may come back. */
+    /** The session with another member. The session is kept after a loss, since the member may return. */
     private inner class Peer(member: Computer) {
         val outgoing = Outgoing(member.name, nextPiece)
         val incoming = Incoming()
@@ -22,7 +22,10 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private val peers = LinkedHashMap<Computer, Peer>()
     private var members = listOf<Computer>()
 
-    /** The first number of a new session's pieces: above all earlier numbers, so that no receiver takes new pieces for repeats. */
+    /**
+     * The first piece number of a new session. The number is above all earlier numbers, so that no receiver mistakes new pieces for
+     * repetitions.
+     */
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null
@@ -59,7 +62,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return done
     }
 
-    /** Returns the member called [name]. If there are two, returns the older, since the newer may have the name by mistake. */
+    /** Returns the member with the name [name]. Of two members, returns the older, since the newer may have the name by mistake. */
     private fun called(name: String) = members.firstOrNull { it.name == name }
 
     private fun transmitDue(member: Computer) {
@@ -67,7 +70,9 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         watch()
     }
 
-    /** Schedules [tick] if a message may be lost, or if this computer may have to leave. Otherwise the loop's thread may sleep. */
+    /**
+     * Schedules [tick] if a message may be lost, or if this computer may have to leave. Without these reasons, the loop's thread can sleep.
+     */
     private fun watch() {
         if (isWatching || rivalSince == null && members.all { peers[it]?.outgoing?.isEmpty ?: true }) return
         isWatching = true
@@ -75,7 +80,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     }
 
     override fun arrived(from: Computer, frame: ByteArray): Unit = synchronized(lock) {
-        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // not a member here yet: the sender will repeat the frame
+        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // no member here yet; the sender will repeat the frame
         try {
             when (val news = Frame.of(frame)) {
                 is Frame.Piece -> take(from, peer, news)
@@ -120,7 +125,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private fun handOver(from: String, message: ByteArray): Refused? = try {
         listener.message(from, message)
         null
-    } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) { // an error here must not keep the sender waiting
+    } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) { // an error must not leave the sender waiting
         if (e !is Refused) LOG.log(System.Logger.Level.ERROR, "a message of $from failed", e)
         Refused.of(e)
     }
@@ -151,13 +156,13 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return outgoing.giveUp(reason)
     }
 
-    /** Forgets the sessions of members that left, except the last [MAX_GONE]: a member that comes back goes on with its session. */
+    /** Forgets the sessions of lost members except the last [MAX_GONE]. A returning member continues its session. */
     private fun forgetOld() {
         val gone = peers.keys.filter { it !in members }
         peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
     }
 
-    /** Returns true if [member] has this computer's name and is older. Then it is the previous run of this program, or another computer. */
+    /** Returns true if [member] has this computer's name and is older. A rival is the previous run of this program, or another computer. */
     private fun isOlderRival(member: Computer) =
         member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
 
@@ -203,10 +208,10 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
         const val TICK_MILLIS = 100L
 
-        /** While the listener is busy, a sender gets an acknowledgement each time this number of pieces has been taken. */
+        /** While the listener is busy, a sender gets an acknowledgement after this number of pieces. */
         const val ANSWER_EVERY = 32L
 
-        /** Within this time, the group certainly notices the end of this program's previous run. */
+        /** The group detects the end of this program's previous run within this time. */
         const val RIVAL_NANOS = 5_000_000_000L
         const val MAX_GONE = 256
     }

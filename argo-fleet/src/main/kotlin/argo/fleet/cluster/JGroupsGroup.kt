@@ -17,21 +17,22 @@ import java.util.logging.Logger
 /** Connects a fleet's computers through JGroups. */
 object JGroupsCluster {
     /**
-     * @return a cluster, not yet joined; its `listen` throws an IOException if this computer cannot listen at [ClusterSettings.bind]
+     * @return a cluster that has not joined. The cluster's `listen` throws an IOException if this computer cannot listen at
+     * [ClusterSettings.bind]
      * @throws IOException if certificates are missing or cannot be read; the message is for the user
      */
     fun open(settings: ClusterSettings): Cluster =
         GroupCluster(JGroupsGroup(settings), settings.hosts.keys, ThreadLoop("fleet-${settings.here}"))
 }
 
-/** A group on a channel of JGroups. A member's address on that channel is a random number that contains the computer's name. */
+/** A group on a channel of JGroups. A member's address on that channel is a random number that includes the computer's name. */
 internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Receiver {
     private val address = ExtendedUUID.randomUUID().put(NAME, settings.here.toByteArray())
     val channel: JChannel
     private lateinit var listener: GroupListener
     private val refusals = Refusals()
 
-    /** The members of the last view by their addresses; [addresses] is the inverse. */
+    /** The members of the last view, by address. [addresses] is the inverse. */
     @Volatile
     private var members = mapOf<Address, Computer>()
 
@@ -59,7 +60,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
             channel.connect(settings.fleet)
         } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
             channel.close()
-            val reason = runCatching { ServerSocket().use { it.bind(settings.bind) } }.exceptionOrNull()?.message // `e` lacks it
+            val reason = runCatching { ServerSocket().use { it.bind(settings.bind) } }.exceptionOrNull()?.message // `e` has no reason
                 ?: generateSequence<Throwable>(e) { it.cause }.last().message
             throw IOException("this computer cannot listen at ${settings.bind.hostString}:${settings.bind.port}: $reason", e)
         }
@@ -72,7 +73,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     }
 
     override fun receive(message: Message) {
-        val from = members[message.src] ?: return // the sender is no member in this computer's view yet, and will repeat the message
+        val from = members[message.src] ?: return // no member in this view yet; the sender will repeat the message
         val origin = Origin.current
         if (from.name != origin) return refusals.tell("$origin sends messages under the name of ${from.name}, which are left out")
         if (message is BytesMessage) listener.arrived(from, message.array.copyOfRange(message.offset, message.offset + message.length))
@@ -100,8 +101,8 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
         val JGROUPS: Logger = Logger.getLogger("org.jgroups")
 
         /**
-         * Turns JGroups' log off: it warns of each connection that ends, in names of classes, and this package logs all that matters to the
-         * user. Forbids JGroups to read Java objects, since only strangers send them. JGroups reads the property for that once.
+         * Turns off JGroups' log. JGroups warns of each ended connection with class names, and this package logs everything that users
+         * need. Forbids JGroups to read Java objects. Computers of the fleet send none. JGroups reads the property for that once.
          */
         fun quieten() {
             LogFactory.useJdkLogger(true)

@@ -22,9 +22,9 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     discovery(settings),
     merging(settings),
     failures(settings.hosts.size),
-    // a suspected computer is asked for a sign before it is given up, since a connection may break while both ends run
+    // a suspected computer is asked for a sign first, since a connection may break while both ends run
     Verification().setTimeout(VERIFYING),
-    // these three send the views to all computers; ARGO's own messages bypass them, see GroupCluster
+    // these three protocols send the views to all computers; ARGO's own messages bypass them (GroupCluster)
     NAKACK2().apply {
         useMcastXmit(false)
         setXmitInterval(maxOf(VIEWS_AGAIN, roundOf(settings.hosts.size)))
@@ -33,7 +33,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     STABLE(),
     GMS().apply {
         setJoinTimeout(JOINING)
-        // the longest wait for acknowledgements of a view is short, so that a change of views does not wait for a computer that has gone
+        // limits the wait for acknowledgements of a view, so that a new view does not wait for a lost computer
         setViewAckCollectionTimeout(VIEW_ACKNOWLEDGEMENTS)
         printLocalAddress(false)
         printPhysicalAddress(false)
@@ -47,28 +47,28 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
     setSocketFactory(sockets)
     setThreadFactory<TCP>(LazyThreadFactory("fleet", true, true))
     useVirtualThreads<TCP>(false)
-    // TCP sends bytes at once, without waiting for more bytes or for an acknowledgement
+    // TCP sends bytes at once, without waiting for more bytes or an acknowledgement
     tcpNodelay(true)
-    // the longest time for which the thread of a host that is off waits for a connection
+    // limits the wait for a connection to a host that is off
     setSockConnTimeout(CONNECTING)
-    // a process that ends closes its connections, and is suspected because of that at once
+    // a process that ends closes its connections, and is therefore suspected at once
     enableSuspectEvents(true)
     setMaxLength(MAX_BYTES)
-    // FleetSocket buffers what it reads: a buffer above it would hide from Origin that another thread than the first one reads on
+    // FleetSocket has its own buffer; another one would hide from Origin that a second thread continues the reading
     setBufferedInputStreamSize(0)
-    // each connection has such a buffer, which is small, as messages are
+    // the buffer of each connection is small, since messages are small
     setBufferedOutputStreamSize(BUFFER)
-    // at least twice the bytes that may be under way to a computer (see Outgoing), so that no write waits for a computer that does not read
+    // at least twice the bytes under way to a computer (Outgoing), so that no write waits for a computer that does not read
     setSendBufSize(SEND_BUFFER)
-    // a queue and a thread for each computer: a computer that is off delays no other, and senders never wait
+    // a queue and a thread for each computer, so that a lost computer delays no other and no sender waits
     setBundler<TCP>(PerDestinationBundler().apply {
         useSingleSenderThread(false)
         setMaxSize(BUNDLE)
         setCapacity(QUEUE)
     })
-    // the thread that reads from a connection also hands its messages over
+    // the reading thread of a connection also delivers its messages
     setMessageProcessingPolicy<TCP>("direct")
-    // no port for JGroups' diagnostics: it would answer everybody
+    // no port for JGroups' diagnostics, which would answer everybody
     setDiagnosticsHandler<TCP>(DiagnosticsHandler(null, sockets, threadFactory).setEnabled(false))
     enableStats(false)
     logAcceptError(false)
@@ -78,7 +78,7 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
 private fun discovery(settings: ClusterSettings): Discovery {
     val found = if (settings.hosts.isEmpty()) MPING().apply { setBindAddr(settings.bind.address) }
     else TCPPING().apply {
-        // this leaves out a host whose name cannot be resolved now: it finds this computer later
+        // leaves out a host whose name cannot be resolved now; that host will find this computer
         setInitialHosts<TCPPING>(settings.hosts.values.filter { !it.isUnresolved })
         setPortRange<TCPPING>(0)
     }
@@ -97,8 +97,8 @@ private fun merging(settings: ClusterSettings): MERGE3 {
 private fun failures(hosts: Int): FD_ALL3 = SignsOfLife().setInterval(roundOf(hosts)).setTimeout(2 * roundOf(hosts))
 
 /**
- * Returns the time between two signs of life. With more than twenty hosts, signs are rarer, and so are the looks for lost views. So many
- * computers fit on one machine.
+ * Returns the time between two signs of life. With more than twenty hosts, signs of life and checks for lost views are rarer. Many
+ * computers can then run on one machine.
  */
 private fun roundOf(hosts: Int): Long = maxOf(SIGN_OF_LIFE, SIGN_OF_LIFE_FOR_EACH * hosts)
 

@@ -4,16 +4,16 @@ import java.io.FilterInputStream
 import java.io.InputStream
 
 /**
- * Tells a thread the name of the computer whose connection it reads; that computer has proved its name at the beginning of the connection.
- * JGroups reads each connection on its own thread, which hands the messages over without the connection.
+ * Gives a thread the name of the computer whose connection it reads. The computer has proved its name at the start of the connection.
+ * JGroups reads each connection on a thread of its own. The reading thread passes on the messages without the connection.
  */
 internal object Origin {
     private val names = ThreadLocal<String>()
 
-    /** The computer whose connection the calling thread has read last; null: the thread has read none. */
+    /** The computer whose connection the calling thread read last, or null if it has read none. */
     val current: String? get() = names.get()
 
-    /** Wraps [stream], whose bytes come from the computer [name], so that each read sets [current]. */
+    /** Wraps [stream], which comes from the computer [name]. Each read then sets [current]. */
     fun stream(name: String, stream: InputStream): InputStream = object : FilterInputStream(stream) {
         override fun read(): Int {
             names.set(name)

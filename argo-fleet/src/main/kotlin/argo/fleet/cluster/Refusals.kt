@@ -2,7 +2,7 @@ package argo.fleet.cluster
 
 import java.time.Duration
 
-/** Logs refused connections. Logs each reason only once in a while, since refused computers try again and again. */
+/** Logs refused connections. Logs each reason only once in a while, since refused computers try repeatedly. */
 internal class Refusals(
     private val now: () -> Long = System::nanoTime, private val log: (String) -> Unit = { LOG.log(System.Logger.Level.WARNING, it) },
 ) {

@@ -11,9 +11,9 @@ import java.net.InetSocketAddress
 import java.util.concurrent.TimeUnit
 
 /**
- * Lets separated parts of a fleet notice within a few intervals that they reach each other again. Once an interval, the oldest member of
- * each part sends its view to all hosts, and the part's other members send theirs to the oldest. A member also sends its view to members
- * that sent it another view. In JGroups' own protocol each member asks each host.
+ * Lets separated parts of a fleet detect within a few intervals that they are connected again. In each interval, the oldest member of a
+ * part sends its view to all hosts. The other members of the part send theirs to the oldest. A member also answers a different view with
+ * its own. In JGroups' own protocol, each member asks each host.
  *
  * @param hosts the addresses of the other hosts
  */

@@ -12,10 +12,10 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Suspects a member that gives no sign of life for two rounds; this takes at most three rounds. In a small group, each member sends signs
- * to each. In a larger group, the [OLDEST] oldest members exchange signs with all members, and the others only with them. That suffices,
- * since the oldest living member tells all others who has gone. All of the oldest may have gone: so a member that misses one of them asks
- * everybody for a sign. The oldest member that answers is found within three further rounds.
+ * Suspects a member without a sign of life for two rounds. The suspicion takes at most three rounds. In a small group, each member sends
+ * signs to every other. In a larger group, the [OLDEST] oldest members exchange signs with all. The other members exchange signs only with
+ * the oldest. These signs are enough, since the oldest living member tells all others about losses. All of the oldest may be lost. A member
+ * that misses one of them therefore asks everybody for a sign. The oldest answering member is found within three more rounds.
  */
 internal class SignsOfLife : FD_ALL3() {
     @Volatile
@@ -42,10 +42,10 @@ internal class SignsOfLife : FD_ALL3() {
 
     private fun sendSigns() = if (isForAll()) send(null) else oldest.forEach(::send)
 
-    /** Whether this member exchanges signs with all: it is one of the oldest, or misses a member. */
+    /** True if this member exchanges signs with all, because it is one of the oldest or misses a member. */
     private fun isForAll() = local_addr in oldest || has_suspected_mbrs
 
-    /** Sends a sign to a member; null: to all. */
+    /** Sends a sign to a member, or to all if [to] is null. */
     private fun send(to: Address?) {
         down_prot.down(EmptyMessage(to).setFlag(Message.TransientFlag.DONT_LOOPBACK).putHeader(id, FailureDetection.HeartbeatHeader()))
     }
@@ -60,7 +60,7 @@ internal class SignsOfLife : FD_ALL3() {
         super.up(batch)
     }
 
-    /** Answers a member that asks everybody for a sign, if this member does not send signs to all anyway. */
+    /** Answers a member that asks everybody for a sign. Does nothing if this member sends signs to all anyway. */
     private fun answer(message: Message) {
         val isQuestion = message.dest == null && HAS_HEADER.test(message) && message.src in all && message.src !in oldest
         if (isQuestion && !isForAll()) send(message.src)
@@ -68,7 +68,7 @@ internal class SignsOfLife : FD_ALL3() {
 
     override fun <T> needsToBeSuspected(member: Address, value: T): Boolean {
         if (isForAll() || member in oldest) return super.needsToBeSuspected(member, value)
-        update(member, false, false) // this member gets no signs from that one
+        update(member, false, false) // this member gets no signs from the asking member
         return false
     }
 

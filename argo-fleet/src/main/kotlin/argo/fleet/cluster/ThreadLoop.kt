@@ -19,7 +19,7 @@ internal class ThreadLoop(name: String) : Loop {
         LOG.log(System.Logger.Level.DEBUG, "the cluster is closed", e)
     }
 
-    /** Runs [task] and logs its exception or error, which the executor would keep for a caller that never asks. */
+    /** Runs [task] and logs its exception or error. The executor would keep it for a caller that never asks. */
     private fun guarded(task: () -> Unit) = try {
         task()
     } catch (@Suppress("TooGenericExceptionCaught") e: Throwable) {

@@ -6,8 +6,9 @@ import org.jgroups.conf.ClassConfigurator
 import org.jgroups.protocols.VERIFY_SUSPECT
 
 /**
- * Asks suspected members for a sign before they are given up. Its thread ends when nobody is suspected, while the thread of JGroups' newer
- * protocol wakes all the time. Copies each list of suspects, since JGroups' own class changes it, and TCP's is immutable.
+ * Asks suspected members for a sign before they are given up. The thread of this protocol ends when no member is suspected. The thread of
+ * JGroups' newer protocol wakes all the time. Copies each list of suspects. JGroups' own class changes the list, and that of TCP is
+ * immutable.
  */
 internal class Verification : VERIFY_SUSPECT() {
     init {

@@ -5,13 +5,13 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 
-/** A message from one computer of a fleet to another. Its bytes are the byte [FORMAT], followed by JSON. */
+/** A message from one computer of a fleet to another. The bytes of a message are [FORMAT] and then JSON. */
 @Serializable
 internal sealed interface FleetMessage {
     fun encode(): ByteArray = byteArrayOf(FORMAT) + JSON.encodeToString(serializer(), this).encodeToByteArray()
 
     companion object {
-        /** The first byte of each message. Another format may use the same names in JSON for other things. */
+        /** The first byte of each message. Another format may use the JSON names for other things. */
         const val FORMAT: Byte = 1
         private val JSON = Json { encodeDefaults = false }
 
@@ -30,15 +30,15 @@ internal sealed interface FleetMessage {
     }
 }
 
-/** The bytes from another computer are no message of this version; [message] says why. */
+/** The bytes from another computer are no message of this version; [message] gives the reason. */
 internal class UnreadableMessage(override val message: String) : Exception(message)
 
 /**
  * A message from one agent to another.
  *
  * @property force the performative, such as `tell`
- * @property content the text of the content, see [argo.recording.agent.MessageContent]
- * @property term the term of the [Reign] in which the sender runs; 0: the sender does not outlive its computer
+ * @property content the text of the content, as in [argo.recording.agent.MessageContent]
+ * @property term the term of the sender's [Reign], or 0 if the sender does not outlive its computer
  */
 @Serializable
 @SerialName("say")
@@ -52,7 +52,7 @@ internal data class Say(
     val term: Long = 0,
 ) : FleetMessage
 
-/** The answer to [question], which the agent [to] has asked, will not arrive; [error] and [reason] tell why. */
+/** The answer to [question] of the agent [to] will not arrive, because of [error] and [reason]. */
 @Serializable
 @SerialName("unanswered")
 internal data class Unanswered(val question: String, val to: String, val error: String, val reason: String) : FleetMessage
@@ -64,10 +64,10 @@ internal data class Offer(val agent: String, val service: String)
 /**
  * The agents and services of the sending computer.
  *
- * @property isWhole true: these are all agents and services; false: only the changes since the last roster
+ * @property isWhole true for all agents and services; false for the changes since the last roster
  * @property unable the agents that outlive their computers and that the sender cannot start
- * @property able the agents, unable before, that the sender will try to start again
- * @property asksBack whether the receiver must send its own roster, since the sender does not know it
+ * @property able the agents that were unable, and that the sender will try to start again
+ * @property asksBack true if the sender lacks the receiver's roster. The receiver must then send it
  */
 @Serializable
 @SerialName("roster")
@@ -83,9 +83,9 @@ internal data class RosterNews(
 ) : FleetMessage
 
 /**
- * The rosters that the sender knows. If the receiver has missed news, it notices that.
+ * The rosters that the sender knows. A receiver that has missed news detects it by them.
  *
- * @property digests the [Roster.digest] of each computer that is in touch with the sender and has told its roster
+ * @property digests the [Roster.digest] of each computer that is in touch with the sender and has reported its roster
  */
 @Serializable
 @SerialName("known")
@@ -102,10 +102,10 @@ internal data class Kill(val agent: String, val by: String, val deadlineMs: Int)
 internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitStatus: Int) : FleetMessage
 
 /**
- * The sender wants to run [agent], which outlives its computer, or to go on running it. Each claim has a greater [number].
+ * The sender wants to run [agent], which outlives its computer, or to continue it. Each claim has a greater [number].
  *
- * @property mindTerm the [MindNews.term] of the newest mind of [agent] that the sender knows; 0: the sender knows none
- * @property mindNumber the [MindNews.number] of the same mind
+ * @property mindTerm the [MindNews.term] of the newest mind of [agent] that the sender knows, or 0 for none
+ * @property mindNumber the [MindNews.number] of that mind
  */
 @Serializable
 @SerialName("claim")
@@ -118,7 +118,7 @@ internal data class Claim(
 ) : FleetMessage
 
 /**
- * The answer to a [Claim]. A computer that grants a claim promises to grant no other computer's claim for some time.
+ * The answer to a [Claim]. With a grant, a computer promises to grant no other computer's claim for some time.
  *
  * @property term the greatest term of a reign over [agent] that the sender knows
  */
@@ -126,10 +126,10 @@ internal data class Claim(
 @SerialName("grant")
 internal data class Grant(val agent: String, val number: Long, val term: Long, val isGranted: Boolean) : FleetMessage
 
-/** The beliefs and goals of [agent], which outlives its computer, as AgentSpeak. */
+/** The beliefs and goals of [agent], an agent that outlives its computer, as AgentSpeak. */
 @Serializable
 @SerialName("mind")
 internal data class MindNews(val agent: String, val term: Long, val number: Long, val program: String) : FleetMessage {
-    /** Whether this mind is newer than the mind with this [term] and [number]. */
+    /** Returns true if this mind is newer than the one with [term] and [number]. */
     fun isNewerThan(term: Long, number: Long) = if (this.term == term) this.number > number else this.term > term
 }

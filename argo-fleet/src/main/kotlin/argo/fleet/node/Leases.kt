@@ -20,21 +20,21 @@ internal interface LeasedAgents {
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
-    /** Stops [agent] after this call returns. Until then the agent does nothing, since its reign is over. */
+    /** Stops [agent] after this call has returned. The agent does nothing until then, since its reign is over. */
     fun stop(agent: String)
 }
 
-/** The time during which this computer runs an agent. */
+/** The time for which this computer runs an agent. */
 internal class Reign(private val lease: Lease, val term: Long) {
-    /** Whether the agent may run now. Any thread. */
+    /** Returns true if the agent may run now. Safe for use by several threads. */
     fun isValid(): Boolean = lease.mayRun() && lease.ownTerm == term
 }
 
 /**
- * Decides which of the agents that outlive their computers run on this computer. A missing agent starts on the first of its computers that
- * is in touch, and stays there until that computer is lost.
+ * Decides which agents that outlive their computers run on this computer. A missing agent starts on the first of its computers that is in
+ * touch. The agent stays there until that computer is lost.
  *
- * @param planned the agents that outlive their computers, each with the computers that it may run on
+ * @param planned the computers that may run each agent that outlives its computer
  * @param hosts the number of computers of the fleet
  * @param nanos a clock in ns that never goes back
  */
@@ -50,7 +50,8 @@ internal class Leases(
     private val held = planned.mapValues { (agent, computers) ->
         Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
     }
-    private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>() // a computer, and an agent whose mind it lacks
+    // pairs of a computer and an agent whose mind the computer lacks
+    private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>()
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
         Thread(work, "argo-fleet-leases").apply { isDaemon = true }
     }
@@ -81,16 +82,16 @@ internal class Leases(
         hasMajority = view.hasMajority
     }
 
-    /** Returns true if this computer knows that another computer has since taken over the agent that sent [message]. */
+    /** Returns true if another computer has taken over the sender of [message], as this computer knows. */
     fun isOutdated(message: Say): Boolean =
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and sends it to all other computers in touch. So at least one of the computers
-     * that grant the agent's next reign has the mind. Any thread may call this.
+     * Stores the mind of an agent that this computer runs, and sends it to all other computers in touch. At least one of the computers that
+     * grant the next reign over the agent then has the mind. Safe for use by several threads.
      *
-     * @return completed when all of these computers have the mind. Fails if one of them does not get it; the log then warns once, and again
-     * only after that computer has got a newer mind
+     * @return completes when all of these computers have the mind. Fails if one of them does not get it. The log warns once per computer,
+     * and again only after that computer has got a newer mind
      */
     fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }
@@ -106,15 +107,15 @@ internal class Leases(
     }
 
     /**
-     * Gives up [reign] over [agent], which this computer cannot start or go on with for [reason], so that the next computer runs it. Later
-     * this computer may try again. Any thread may call this.
+     * Gives up [reign] over [agent], which this computer cannot run for [reason]. The next computer then runs it. This computer may try
+     * again later. Safe for use by several threads.
      */
     fun cannotRun(agent: String, reign: Reign, reason: Throwable) {
-        fleet.cannotRun(agent) // first, or this computer would claim the agent again at once
+        fleet.cannotRun(agent) // comes first, since this computer would otherwise claim the agent again at once
         synchronized(this) { held(agent).cannotRun(reign, reason) }
     }
 
-    /** Gives up [reign] over [agent]; this computer may claim the agent again. Any thread may call this. */
+    /** Gives up [reign] over [agent]. This computer may claim the agent again. Safe for use by several threads. */
     fun giveUp(agent: String, reign: Reign) = synchronized(this) { held(agent).giveUp(reign) }
 
     override fun close() {
@@ -133,14 +134,14 @@ internal class Leases(
         private var reign: Reign? = null
         private var missingSince: Long? = null
         private val retry = Retry(nanos)
-        private var told: String? = null // the last reason why this computer could not run the agent
+        private var told: String? = null // the last logged reason why this computer could not run the agent
 
         fun take(news: MindNews) {
             val known = mind
             if (known == null || news.isNewerThan(known.term, known.number)) mind = news
         }
 
-        /** Answers a claim. If the claimant has an older mind of the agent or none, sends it the newer mind first. */
+        /** Answers a claim. If the claimant lacks the newest mind of the agent, sends that mind first. */
         fun answer(computer: String, claim: Claim) {
             val grant = lease.answer(computer, claim)
             val known = mind
@@ -188,14 +189,14 @@ internal class Leases(
             agents.start(agent, begun, mind)
         }
 
-        /** Whether this computer should start the agent: no computer in touch runs it, and this is the first that can. */
+        /** Returns true if this computer should start the agent. No computer in touch runs it, and this is the first that can. */
         private fun isMine(): Boolean {
             val directory = fleet.directory
             val isMissing = hasMajority && directory.find(agent) is Place.Off
             if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
             val since = missingSince ?: return false.also { lease.giveUp() }
             val first = computers.find { it in directory.inTouch && agent !in directory.roster(it).unable }
-            // only the agent's first computer starts it at once: computers that begin together must find each other first
+            // only the agent's first computer starts it at once, since computers that start together must find each other first
             return first == fleet.here && (first == computers.first() || nanos() - since > PATIENCE_NS || nanos() - start > BEGINNING_NS)
         }
 
@@ -207,7 +208,7 @@ internal class Leases(
     }
 
     private companion object {
-        /** A fifth of a lease's duration, so that four messages in a row may be late. */
+        /** The interval of claims. The interval is a fifth of a lease, so that four messages in a row may be late. */
         const val PERIOD_MS = 300L
         const val PATIENCE_NS = 2_000_000_000L
         const val BEGINNING_NS = 10_000_000_000L

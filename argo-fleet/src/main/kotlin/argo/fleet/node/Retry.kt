@@ -1,7 +1,7 @@
 package argo.fleet.node
 
 /**
- * Decides when to try again after a failure: after half a minute, then after twice the time with each further failure, up to an hour.
+ * Decides when to try again after a failure. The first wait is half a minute. The wait doubles with each further failure, up to an hour.
  *
  * @param nanos a clock in ns that never goes back
  */
@@ -9,7 +9,7 @@ internal class Retry(private val nanos: () -> Long) {
     private var waitNs = FIRST_NS
     private var next: Long? = null
 
-    /** Notes a failure. Returns the time in ns until the next try. */
+    /** Adds a failure. Returns the time in ns until the next try. */
     fun failed(): Long {
         val wait = waitNs
         next = nanos() + wait
@@ -17,7 +17,7 @@ internal class Retry(private val nanos: () -> Long) {
         return wait
     }
 
-    /** Returns true once after each failure, as soon as the time until the next try is over. */
+    /** Returns true once after each failure, when the time until the next try is over. */
     fun isDue(): Boolean {
         val isDue = next?.let { nanos() - it >= 0 } ?: false
         if (isDue) next = null

@@ -14,7 +14,7 @@ import jason.asSyntax.ASSyntax
 import jason.runtime.Settings
 import jason.util.Config
 
-/** What other computers get to know of an agent that outlives its own. */
+/** Checks the mind that other computers receive from an agent that outlives its computer. */
 class MindSpec : FunSpec({
     test("beliefs with namespaces, annotations, strings and numbers, and the goals that intentions began with") {
         val agent = agent(
@@ -96,7 +96,7 @@ class MindSpec : FunSpec({
 private fun mindOf(ts: TransitionSystem, leftOut: (String) -> Unit = {}) = Mind.of(ts, MessageContent::write, leftOut)
 
 private fun agent(program: String): TransitionSystem {
-    Config.get()[Config.START_WEB_MI] = "false" // Jason would start a server
+    Config.get()[Config.START_WEB_MI] = "false" // starts no web server
     val arch = object : AgArch() {
         override fun getAgName() = "a"
     }

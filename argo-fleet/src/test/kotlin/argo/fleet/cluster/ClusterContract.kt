@@ -9,19 +9,19 @@ import java.util.concurrent.CompletionException
 import java.util.concurrent.CompletionStage
 import io.kotest.matchers.string.shouldContain as shouldContainText
 
-/** The computers `a`, `b` and `c` of a fleet, and what happens to them. */
+/** The computers `a`, `b` and `c` of a fleet, which a test can start and crash. */
 internal interface ClusterWorld : AutoCloseable {
-    /** Starts the program of a computer; it has not joined yet. */
+    /** Starts the program of a computer. The computer does not join. */
     fun start(name: String): Cluster
 
-    /** The program of a computer ends without a word. */
+    /** Ends the program of a computer abruptly. */
     fun crash(name: String)
 
     /** Waits until [condition] holds. */
     fun await(what: String, condition: () -> Boolean)
 }
 
-/** What each cluster does, over sockets and in memory. */
+/** The contract of each cluster, over sockets and in memory. */
 internal fun clusterContract(world: () -> ClusterWorld): FunSpec.() -> Unit = {
     fun ClusterWorld.joined(name: String): Pair<Cluster, Log> {
         val cluster = start(name)

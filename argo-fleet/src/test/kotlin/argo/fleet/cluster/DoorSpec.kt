@@ -16,7 +16,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A door of the computer `base`, which notes what it tells, and whom it lets in. */
+/** A door of the computer `base`. The door stores its messages and the admitted computers. */
 private class TestDoor(entrance: Entrance) : AutoCloseable {
     val told = LinkedBlockingQueue<String>()
     val admitted = LinkedBlockingQueue<Socket>()
@@ -46,7 +46,6 @@ private class TestDoor(entrance: Entrance) : AutoCloseable {
     override fun close() = door.close()
 }
 
-/** Who is let in at a computer's port, and how others are refused. */
 class DoorSpec : FunSpec({
     blockingTest = true
 
@@ -150,7 +149,7 @@ class DoorSpec : FunSpec({
             shouldThrow<IOException> { door.greet(entrance(settings("scout"))) }.message shouldContain "speaks no language of a fleet"
             door.toldNext() shouldContain "does not begin TLS as the fleet does"
             door.stranger(*ByteArray(20))
-            door.told shouldHaveSize 0 // the same again
+            door.told shouldHaveSize 0 // the first reason again
             door.admitted shouldHaveSize 0
         }
     }

@@ -33,7 +33,6 @@ private class InMemoryWorld : ClusterWorld {
     }
 }
 
-/** The cluster in memory, in virtual time. */
 class InMemoryClusterSpec : FunSpec({
     clusterContract(::InMemoryWorld)(this)
 

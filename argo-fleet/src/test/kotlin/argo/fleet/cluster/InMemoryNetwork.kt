@@ -1,11 +1,11 @@
 package argo.fleet.cluster
 
 /**
- * Computers of a fleet in one program, without sockets, threads and real time: nothing happens outside of [run] and [advance]. Who cannot
- * reach whom is known at once.
+ * Computers of a fleet in one program, without sockets, threads and real time. Things happen only in [run] and [advance]. Lost connections
+ * are known at once.
  *
- * @param hosts the computers that the fleet consists of
- * @param isLost whether a frame gets lost on its way
+ * @param hosts the computers of the fleet
+ * @param isLost returns true if a frame is lost on its way
  */
 internal class InMemoryNetwork(private val hosts: Set<String>, private val isLost: (Computer, Computer) -> Boolean = { _, _ -> false }) {
     private inner class Node(override val here: Computer) : Group, Loop {
@@ -38,7 +38,7 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
             due.forEach { if (isUp) it() }
         }
 
-        /** The group's and the loop's end. */
+        /** Ends both the group and the loop. */
         override fun close() {
             if (!isUp) return
             listener = null
@@ -52,7 +52,7 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
     private var nanos = 0L
     private var starts = 0
 
-    /** A computer starts its program, also once more. It joins with [Cluster.listen]. */
+    /** Starts or restarts the program of a computer. The computer joins with [Cluster.listen]. */
     @Synchronized
     fun join(name: String): Cluster {
         val node = Node(Computer(name, "session ${++starts}"))
@@ -60,7 +60,7 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
         return GroupCluster(node, hosts, node)
     }
 
-    /** Computers reach those of their side only; those that are on none reach each other. */
+    /** Computers reach only those of their side. Computers on no side reach each other. */
     fun part(vararg sides: Set<String>) {
         this.sides = sides.toList()
         tellViews()
@@ -68,24 +68,24 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
 
     fun heal() = part()
 
-    /** The computer [by] loses [lost] and finds it again, while that one notices nothing: its program was halted, or frames of it were. */
+    /** The computer [by] loses [lost] and finds it again. [lost] notices nothing, as after a halt of its program. */
     fun loseOneSided(by: String, lost: String) = nodes.filter { it.isUp && it.here.name == by }.forEach { node ->
         val seen = nodes.filter { reaches(node, it) }.map { it.here }
         listOf(seen.filter { it.name != lost }, seen).forEach { members -> enqueue { node.listener?.viewed(members) } }
     }
 
-    /** The program on [name] ends without a word. */
+    /** Ends the program on [name] abruptly. */
     fun crash(name: String) {
         nodes.filter { it.here.name == name }.forEach { it.listener = null }
         tellViews()
     }
 
-    /** Does what is due, until nothing is. */
+    /** Runs all tasks that are due. */
     fun run() {
         while (true) (synchronized(this) { tasks.removeFirstOrNull() } ?: return)()
     }
 
-    /** Lets [millis] go by, and does what falls due. */
+    /** Lets [millis] pass, and runs all tasks that become due. */
     fun advance(millis: Long) = repeat((millis / TICK_MILLIS).toInt()) {
         run()
         nanos += TICK_MILLIS * NANOS_PER_MILLI

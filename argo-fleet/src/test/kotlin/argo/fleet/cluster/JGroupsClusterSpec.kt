@@ -15,7 +15,7 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** Computers on the loopback interface, each with sockets of its own; without [areNamed] they have to find each other. */
+/** Computers on the loopback interface, each with its own sockets. Without [areNamed], they must find each other. */
 private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld {
     private val addresses = listOf("a", "b", "c").zip(freePorts(3).map(::loopback)).toMap()
     private val running = mutableListOf<Triple<String, JGroupsGroup, Cluster>>()
@@ -46,9 +46,9 @@ private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld 
     override fun close() = running.forEach { it.third.close() }
 }
 
-/** Springs when Java reads it as an object. */
+/** Notices if Java deserializes it. */
 private class Trap : Serializable {
-    @Suppress("unused") // Java's serialization calls it
+    @Suppress("unused") // called by Java's serialization
     private fun readResolve(): Any {
         isSprung = true
         return this
@@ -62,7 +62,6 @@ private class Trap : Serializable {
     }
 }
 
-/** The cluster over JGroups, in real time. */
 @Tags("Thorough")
 class JGroupsClusterSpec : FunSpec({
     blockingTest = true
@@ -98,7 +97,7 @@ class JGroupsClusterSpec : FunSpec({
             world.await("the line") { told.any { it.startsWith("b sends messages under the name of c, which are left out") } }
             c.send("a", "own".toByteArray())
             world.await("the message after it") { log.from("c") == listOf("own") }
-            told.none { it.startsWith("null") } shouldBe true // the first messages of a connection have a known sender, too
+            told.none { it.startsWith("null") } shouldBe true // the first messages of a connection also have a known sender
         }
         Logger.getLogger(Cluster::class.java.name).removeHandler(handler)
     }

@@ -2,7 +2,7 @@ package argo.fleet.cluster
 
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** Writes down what a cluster tells. A message `no` is refused. */
+/** Stores what a cluster reports. Refuses a message `no`. */
 internal class Log : ClusterListener {
     val messages = CopyOnWriteArrayList<Pair<String, String>>()
     val views = CopyOnWriteArrayList<ClusterView>()

@@ -24,12 +24,12 @@ import kotlin.time.Duration.Companion.seconds
 
 private val JGROUPS = Logger.getLogger("org.jgroups")
 
-/** Members of a group in one program, in real time, with short rounds. */
+/** Members of a group in one program, in real time with short rounds. */
 @Tags("Thorough")
 class SignsOfLifeSpec : FunSpec({
     beforeSpec { JGROUPS.level = Level.OFF }
 
-    /** Counts the signs that a member sends, each to all as one for each other member. */
+    /** Counts the signs of life of a member. A sign to all counts once for each other member. */
     class Counting(private val members: Int) : Protocol() {
         val signs = AtomicInteger()
 
@@ -52,13 +52,12 @@ class SignsOfLifeSpec : FunSpec({
         }
         val signs get() = counting.sumOf { it.signs.get() }
 
-        /** The members that each member has in touch. */
         fun views(): List<List<String>> = channels.map { channel -> channel.view.members.map { "$it" } }
 
         fun unplug(places: IntRange) = places.forEach { net[it].discardAll(true) }
 
         override fun close() {
-            net.forEach { it.discardAll(true) } // so none waits for others
+            net.forEach { it.discardAll(true) }
             channels.forEach(JChannel::close)
         }
     }

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 
-/** Certificates of the computers [names] in [folder]: `NAME.crt` and `NAME.key`. They need the program openssl. */
+/** Makes certificates of the computers [names] in [folder], with the program openssl: `NAME.crt` and `NAME.key`. */
 internal class TestCertificates(private val folder: Path, vararg names: String) {
     init {
         names.forEach(::make)
@@ -18,7 +18,7 @@ internal class TestCertificates(private val folder: Path, vararg names: String) 
         check(openssl.waitFor(60, TimeUnit.SECONDS) && openssl.exitValue() == 0) { String(openssl.inputStream.readAllBytes()) }
     }
 
-    /** The folder of `tls://` of the computer [name], which knows the computers [known]. */
+    /** Makes the `tls://` folder of the computer [name], which trusts the computers [known]. */
     fun of(name: String, vararg known: String): Path {
         val own = folder.resolve("of-$name").createDirectories()
         folder.resolve("$name.crt").copyTo(own.resolve("computer.crt"))

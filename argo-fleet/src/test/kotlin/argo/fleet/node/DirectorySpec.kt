@@ -3,7 +3,6 @@ package argo.fleet.node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** Which agents are where. */
 class DirectorySpec : FunSpec({
     fun whole(vararg agents: String) = RosterNews(isWhole = true, came = agents.toSet())
 

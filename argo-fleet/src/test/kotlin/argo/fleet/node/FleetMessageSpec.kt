@@ -13,7 +13,6 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
-/** Messages between computers as bytes. */
 class FleetMessageSpec : FunSpec({
     val messages = listOf(
         Say("mid1", "samid2", "tell", "a", "b", "x(\"ä\\n\")[source(a)]", 3),

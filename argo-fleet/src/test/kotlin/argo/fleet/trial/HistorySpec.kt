@@ -3,7 +3,6 @@ package argo.fleet.trial
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** The checker finds each kind of fault. */
 class HistorySpec : FunSpec({
     fun faults(vararg lines: String) = History(lines.mapIndexed { index, line -> Event.of("${index * 1000} $line") }).faults()
 

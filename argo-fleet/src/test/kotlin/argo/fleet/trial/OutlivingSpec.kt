@@ -13,7 +13,7 @@ import kotlin.io.path.readLines
 import kotlin.io.path.writeText
 import kotlin.random.Random
 
-/** An agent that outlives its computers, which are processes with network namespaces, while they are killed and unplugged at random. */
+/** An agent that outlives its computers. The computers are processes in network namespaces, which are killed and unplugged at random. */
 @Tags("Thorough")
 class OutlivingSpec : FunSpec({
     blockingTest = true
@@ -73,11 +73,11 @@ private class Outliving(names: List<String>, private val network: Namespaces) : 
         network.plug(name)
     }
 
-    /** What the agent has noted; the last line may be half written. */
+    /** The actions that the agent has noted. The last line may be incomplete. */
     fun acts(): List<Event> = folder.resolve(acted.NOTES).let { if (it.toFile().exists()) it.readLines() else emptyList() }
         .filter { it.split(' ').size == WORDS }.map(Event::of)
 
-    /** Waits until the agent has acted ten times more; returns the computer where. */
+    /** Waits until the agent has acted ten more times. Returns its computer. */
     fun awaitActs(): String {
         val before = acts().size
         val end = System.nanoTime() + PATIENCE_NANOS
@@ -88,7 +88,7 @@ private class Outliving(names: List<String>, private val network: Namespaces) : 
         return acts().last().session.substringBefore('#')
     }
 
-    /** The end of all that each computer has printed. */
+    /** The last printed lines of each computer. */
     private fun outputs() = folder.listDirectoryEntries("*.out").sorted().joinToString("\n") { file ->
         "${file.name}:\n" + file.readLines().takeLast(LINES).joinToString("\n")
     }

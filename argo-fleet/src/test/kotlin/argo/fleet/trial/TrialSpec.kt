@@ -9,13 +9,13 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import kotlin.random.Random
 
-/** Processes of a fleet that are killed, and computers that are unplugged, at random. */
+/** Kills processes of a fleet and unplugs computers at random. */
 @Tags("Thorough")
 class TrialSpec : FunSpec({
     blockingTest = true
     val names = listOf("base", "scout1", "scout2", "scout3")
 
-    /** Something happens to one of them every two seconds or so; the first two stay, so that each message has a chance. */
+    /** Disturbs one of them about every two seconds. The first two stay, so that each message has a chance. */
     fun Trial.disturb(network: Namespaces?, random: Random) = repeat(8) {
         val name = names.random(random)
         Thread.sleep(500L + random.nextLong(1500))

@@ -9,7 +9,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 import java.io.File
 
-/** The internal action `argo.fleet.trial.acted`: notes that the agent has acted, and in which reign. */
+/** The internal action `argo.fleet.trial.acted` notes an action of the agent and its reign. */
 internal class acted : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val arch = generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<FleetAgArch>().first()
@@ -19,10 +19,10 @@ internal class acted : DefaultInternalAction() {
     }
 
     companion object {
-        /** The file of the notes, in the directory of the program. */
+        /** The file of the notes in the program's directory. */
         const val NOTES = "acts.txt"
 
-        /** The property that names the start of the program, as `scout1#2`. */
+        /** The property with the name of the program's run, such as `scout1#2`. */
         const val SESSION = "argo.fleet.trial.session"
     }
 }

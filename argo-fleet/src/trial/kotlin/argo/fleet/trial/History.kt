@@ -1,10 +1,10 @@
 package argo.fleet.trial
 
 /**
- * The history of a fleet, as its programs noted it. If it has no [faults], the fleet has kept its promises:
+ * The history of a fleet from the notes of its programs. Without [faults], the fleet has kept these promises:
  *
- * - each message is taken once at most, only by its receiver, and messages of one session in the order of sending;
- * - each message has one end, unless its sender crashed; a message that ended as taken was taken;
+ * - each message is taken at most once, only by its receiver, and the messages of a session in order;
+ * - each message has one end, unless its sender crashed, and a message that is reported as taken was taken;
  * - an agent that outlives its computer never acts twice at a time.
  */
 class History(events: List<Event>) {
@@ -19,7 +19,6 @@ class History(events: List<Event>) {
     private val taken = takings.mapTo(HashSet()) { it.message }
     private val sent = receivers.keys.groupBy { it.session }
 
-    /** Returns the number of events of a kind. */
     fun count(kind: Kind): Int = bySession.values.sumOf { events -> events.count { it.kind == kind } }
 
     /** Each broken promise, in words. */
@@ -51,7 +50,7 @@ class History(events: List<Event>) {
         }
     }
 
-    /** An agent acts in only one reign at a time if it never acts in a reign after it has acted in one of a greater term. */
+    /** Finds agents that act in a reign after an action in a later reign. */
     private fun twice() = bySession.values.flatten().filter { it.kind == Kind.ACTED }.groupBy { it.about[0] }.flatMap { (agent, acts) ->
         val sorted = acts.sortedBy { it.nanos }
         val newest = sorted.runningReduce { before, act -> if (act.term > before.term) act else before }

@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Computers of a network on this one: each has a network namespace with one interface, and all are plugged into one switch. [close] removes
- * the namespaces. Only root can make them, on Linux.
+ * Simulates computers of a network. Each has a network namespace with one interface, and all are connected to one switch. [close] removes
+ * the namespaces. Namespaces need Linux and root.
  *
  * @throws IllegalStateException if namespaces cannot be made; see [missing]
  */
 class Namespaces(private val names: List<String>) : AutoCloseable {
-    /** A name of its own, since several tests may do this at a time. Interfaces' names have at most 15 characters. */
+    /** A unique name, since several tests may run at a time. Names of interfaces have at most 15 characters. */
     private val switch = "af${ProcessHandle.current().pid().toString(36)}x${made.getAndIncrement().toString(36)}"
     private val addresses = names.withIndex().associate { (index, name) -> name to "$NETWORK.${index + 1}" }
 
@@ -37,14 +37,14 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
     /** The address of a computer. */
     fun address(name: String): String = addresses.getValue(name)
 
-    /** Returns the words to put before a command, so that it runs on the computer. */
+    /** Returns the words in front of a command that run it on the computer. */
     fun prefix(name: String): List<String> = listOf("ip", "netns", "exec", cable(name))
 
     fun unplug(name: String) = ip("link set ${cable(name)} down")
 
     fun plug(name: String) = ip("link set ${cable(name)} up")
 
-    /** The bytes that a computer has sent, with all headers. */
+    /** The number of bytes that a computer has sent, with all headers. */
     fun bytesSent(name: String): Long = File("/sys/class/net/${cable(name)}/statistics/rx_bytes").readText().trim().toLong()
 
     override fun close() = removeAll()
@@ -58,7 +58,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
         private val made = AtomicInteger()
         private const val NETWORK = "10.231.7"
 
-        /** The reason why namespaces cannot be made on this computer; null: they can. */
+        /** The reason why this computer cannot make namespaces, or null if it can. */
         val missing: String? by lazy {
             runCatching { Namespaces(listOf("test")).close() }.exceptionOrNull()
                 ?.let { "network namespaces cannot be made here: ${it.message}" }
@@ -66,7 +66,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
 
         private fun ip(arguments: String) = run(arguments).let { check(it.isEmpty()) { "ip $arguments: $it" } }
 
-        /** @return the command's complaints */
+        /** @return the error output of the command */
         private fun run(arguments: String): String {
             val process = ProcessBuilder(listOf("ip") + arguments.split(' ')).redirectErrorStream(true).start()
             val said = String(process.inputStream.readAllBytes())

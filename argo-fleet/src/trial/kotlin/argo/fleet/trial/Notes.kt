@@ -6,11 +6,10 @@ import argo.fleet.cluster.ClusterView
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Joins a cluster, sends and takes messages over it, and notes each message. A message contains its session and its number, and bytes to
- * fill its length.
+ * Joins a cluster, sends and takes messages, and notes each message. A message contains its session, its number and filling bytes.
  *
  * @param session this run of the program, such as `scout1#2`
- * @param note takes each event before anything else happens; called by several threads at once
+ * @param note takes each event before anything else happens. Several threads call it
  */
 class Notes(private val cluster: Cluster, private val session: String, private val note: (Event) -> Unit) : ClusterListener {
     private val sent = AtomicLong()
@@ -27,7 +26,7 @@ class Notes(private val cluster: Cluster, private val session: String, private v
         cluster.listen(this)
     }
 
-    /** Sends a message of [length] bytes, or longer if its head needs more. One thread at a time. */
+    /** Sends a message of [length] bytes, or a longer one if its head needs more. Not safe for use by several threads at once. */
     fun send(to: String, length: Int) {
         val number = sent.incrementAndGet()
         note(Kind.SENT, to, "$number")

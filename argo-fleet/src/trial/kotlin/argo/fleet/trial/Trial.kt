@@ -6,17 +6,16 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.createTempDirectory
 
 /**
- * Runs computers of a fleet, each as a process that sends messages to all others. Starts, kills, unplugs and plugs in these computers, and
- * checks their notes.
+ * Runs computers of a fleet. Each is a process that sends messages to all others. Starts, kills, unplugs and plugs in computers, and checks
+ * their notes.
  *
  * @param names the computers
- * @param network the computers' network; null: all listen on the loopback interface, and none can be unplugged
- * @param certificates the folder of `tls://` for each computer; null: connections are not encrypted
+ * @param network the network of the computers, or null if all listen on the loopback interface and none can be unplugged
+ * @param certificates returns the `tls://` folder of a computer, or null for unencrypted connections
  */
 class Trial(
     private val names: List<String>, private val network: Namespaces?, private val certificates: ((String) -> Path)? = null,
 ) : AutoCloseable {
-    /** A process, and its last note of the computers in touch. */
     private inner class Node(val name: String, val session: String) {
         val notes = folder.resolve("$session.notes")
         val process: Process = ProcessBuilder(network?.prefix(name).orEmpty() + java() + listOf(session, "$notes") + places())
@@ -33,7 +32,7 @@ class Trial(
         private val read = mutableListOf<Event>()
         private var part = ""
 
-        /** The process's notes up to now. The last line of a killed process may be cut. */
+        /** The notes of the process up to now. The last line of a killed process may be incomplete. */
         fun events(): List<Event> {
             if (!notes.toFile().exists()) return read
             val text = part + reader.readText()
@@ -46,7 +45,7 @@ class Trial(
         fun views(): List<Pair<Long, Set<String>>> =
             events().filter { it.kind == Kind.VIEWED }.map { it.nanos to it.about[0].split(',').toSet() }
 
-        /** Whether the process sends no more, and all of its messages have an end. */
+        /** True if the process sends no more messages, and all its messages have an end. */
         fun isFinished() = events().lastOrNull { it.kind != Kind.VIEWED && it.kind != Kind.TOOK }?.kind == Kind.FINISHED
     }
 
@@ -80,7 +79,7 @@ class Trial(
         nodes.values.forEach { it.tell("send") }
     }
 
-    /** Kills a process, as SIGKILL does. */
+    /** Kills a process by SIGKILL. */
     fun kill(name: String) {
         val node = nodes.remove(name) ?: return
         node.process.destroyForcibly().waitFor()
@@ -94,8 +93,8 @@ class Trial(
     /**
      * Waits until all other computers see that [name] has gone.
      *
-     * @param since the steady clock's time at which [name] went
-     * @return the milliseconds until the first computer saw it, and until the last one did
+     * @param since the time of the loss by the steady clock
+     * @return the times in ms until the first computer saw it and until the last one did
      */
     fun noticed(name: String, since: Long): LongRange {
         val others = nodes.values.filter { it.name != name }
@@ -107,7 +106,7 @@ class Trial(
     /** Returns the number of messages that were sent until now. */
     fun sent(): Int = (gone + nodes.values).sumOf { node -> node.events().count { it.kind == Kind.SENT } }
 
-    /** Ends the sending, and waits until all messages have an end. */
+    /** Stops the sending, and waits until all messages have an end. */
     fun finish() {
         isSending = false
         nodes.values.forEach { it.tell("finish") }

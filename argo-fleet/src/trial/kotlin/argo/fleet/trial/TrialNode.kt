@@ -10,15 +10,15 @@ import kotlin.concurrent.thread
 import kotlin.random.Random
 import kotlin.system.exitProcess
 
-/** The most messages without an end that a node has. A node sends some hundred messages a second. */
+/** The greatest number of messages of a node without an end. A node sends some hundred messages per second. */
 private const val UNDER_WAY = 500L
 private const val LONGEST = 200
 private const val PAUSE_MILLIS = 1L
 
 /**
- * The program of one computer of a [Trial]: `SESSION NOTES CERTIFICATES NAME=ADDRESS:PORT…`, where CERTIFICATES is a folder or `-`. After
- * the line `send` on its standard input, it sends messages to all computers, also to those that are off. After the line `finish`, it waits
- * for the messages' ends, and ends with the input. It prints each change of the computers in touch.
+ * The program of one computer of a [Trial]. The arguments are `SESSION NOTES CERTIFICATES NAME=ADDRESS:PORT…`, where CERTIFICATES is a
+ * folder or `-`. After the line `send` on its standard input, it sends messages to all computers, even to lost ones. After the line
+ * `finish`, it waits for the ends of the messages. The program ends with its input. Changes of the computers in touch are printed.
  */
 fun main(args: Array<String>) {
     val (session, notes, certificates) = args
@@ -43,7 +43,7 @@ fun main(args: Array<String>) {
 
 private fun address(text: String) = InetSocketAddress(text.substringBeforeLast(':'), text.substringAfterLast(':').toInt())
 
-/** Passes each line to the system before the next step, so a killed program leaves all its notes. */
+/** Passes each line to the operating system before the next step. A killed program then leaves all its notes. */
 private class NoteFile(file: File) {
     private val out = FileOutputStream(file, true)
 
