@@ -118,7 +118,7 @@ static void run(void)
 static void start(void)
 {
     free(memory);
-    memory = malloc(MEMORY); /* of its own, so that the sanitizer sees what goes beyond it */
+    memory = malloc(MEMORY); /* a separate block, so the sanitizer sees accesses beyond it */
     if (!memory || !javino_board_init(&board, memory, MEMORY, write_byte, NULL))
         exit(1);
     board.link.actions = actions;

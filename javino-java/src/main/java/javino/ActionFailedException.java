@@ -1,6 +1,6 @@
 package javino;
 
-/** The board knows the action and has tried to carry it out, and has failed. The port is still open. */
+/** Thrown if the board began an action and failed to complete it. The port is still open. */
 public final class ActionFailedException extends PortException {
     private static final long serialVersionUID = 1L;
 

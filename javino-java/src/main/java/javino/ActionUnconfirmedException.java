@@ -1,7 +1,7 @@
 package javino;
 
 /**
- * The action was sent, and sent again, but the board has not confirmed that it acted. The board may have acted: the acknowledgements may
+ * Thrown if the board has not confirmed an action that was sent repeatedly. The board may have acted, because its acknowledgements may
  * have been lost. The port is still open.
  */
 public final class ActionUnconfirmedException extends PortException {

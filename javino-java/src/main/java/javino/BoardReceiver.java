@@ -7,11 +7,14 @@ import javino.wire.FrameKind;
 import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
-/** Finds the frames that a computer sends to a board, in both versions. Times are nanoseconds of one clock. One thread at a time. */
+/** Finds the frames that a computer sends to a board, in both versions. Times are nanoseconds of one clock. Not thread-safe. */
 public final class BoardReceiver {
-    /** A frame of one version; the field of the other version is null. */
+    /** A frame of one version. The field of the other version is null. */
     public record Found(Frame version1, WireFrame version2) {
-        /** Returns the nonce of the session that this frame begins; 0: the frame ends the session; empty: neither. */
+        /**
+         * Returns the nonce that is valid after this frame. HELLO begins a session with its nonce. A frame of version 1 ends the session:
+         * the result is 0. After any other frame the nonce does not change: the result is empty.
+         */
         public OptionalInt nonceBehind() {
             if (version2 == null) {
                 return OptionalInt.of(0);
@@ -30,9 +33,9 @@ public final class BoardReceiver {
     /**
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
-     * @param longestPayload bytes of payload of version 2
-     * @param nonce gives the nonce of the session of version 2; 0: there is no session. During a session, frames of version 1 are found
-     *     only after a silence
+     * @param longestPayload bytes of the longest payload in version 2
+     * @param nonce gives the nonce of the session of version 2; 0: there is no session. During a session, the receiver finds frames of
+     *     version 1 only after a silence
      */
     public BoardReceiver(
             Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
@@ -61,7 +64,7 @@ public final class BoardReceiver {
         put(octet);
     }
 
-    /** Notes that nothing has arrived since the last byte. */
+    /** Notes that nothing has arrived from the last byte until {@code now}. */
     public void idle(long now) {
         if (now - lastNanos > timeoutNanos) {
             while (!version1.isEmpty()) {
@@ -72,7 +75,10 @@ public final class BoardReceiver {
         version2.idle(now);
     }
 
-    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has nothing to decide. */
+    /**
+     * Returns the nanoseconds from {@code now} after which {@link #idle} must be called. Returns {@link Long#MAX_VALUE} if no call is
+     * needed.
+     */
     public long nanosUntilIdle(long now) {
         return version1.isReading() || version2.isInFrame()
                 ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
@@ -89,7 +95,7 @@ public final class BoardReceiver {
         }
     }
 
-    /** Handles bytes that the decoder of version 1 did not use; the first of them begins a frame of version 2. */
+    /** Handles bytes that the decoder of version 1 did not use. The first byte begins a frame of version 2. */
     private void readAgain(byte[] rest) {
         for (int i = 0; i < rest.length; i++) {
             if (i == 0) {

@@ -1,6 +1,6 @@
 package javino;
 
-/** Before this command began to go out, a later command with the same functor replaced it. No byte of this command is ever sent. */
+/** Thrown if a later command with the same functor replaced a queued command. No byte of the replaced command is ever sent. */
 public final class CommandReplacedException extends PortException {
     private static final long serialVersionUID = 1L;
 

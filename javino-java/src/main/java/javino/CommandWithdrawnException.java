@@ -1,6 +1,6 @@
 package javino;
 
-/** The time limit of a command ended before the command began to go out. No byte of the command is ever sent. */
+/** Thrown if a command's time limit ended before the command's first byte was sent. No byte of the command is ever sent. */
 public final class CommandWithdrawnException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -5,17 +5,18 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * A transport over a driver whose calls block. A read calls the driver until bytes have come or the read's time is over. A driver's write
- * has no time limit: a thread of this transport writes. The caller's thread writes only bytes that the driver certainly takes at once.
+ * A transport over a driver whose calls block. A read calls the driver until bytes have come or the time limit is reached. A driver's
+ * write has no time limit, so a thread of this transport writes. If the driver certainly takes the bytes at once, the caller's thread
+ * writes instead.
  */
 public abstract class DriverTransport implements Transport {
     private final String name;
     private final LineSettings line;
     private final TimedWriter writer;
     private final AtomicBoolean closed = new AtomicBoolean();
-    private volatile String loss; // null: the device can be reached
+    private volatile String loss; // null while the device can be reached
 
-    /** A transport for the port {@code name}, which was opened with the settings {@code line}. */
+    /** Creates a transport for the open port {@code name}. */
     protected DriverTransport(String name, LineSettings line) {
         this.name = name;
         this.line = line;
@@ -26,24 +27,25 @@ public abstract class DriverTransport implements Transport {
      * Reads the bytes that have arrived.
      *
      * @param nanos the longest time to wait for a byte; the driver may wait less; 0 or less: no wait
-     * @return bytes read; 0 if there were none
+     * @return number of bytes read; 0 if none have arrived
      */
     protected abstract int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException;
 
-    /** Writes all the bytes, however long that takes. Returns the number written; if the device has gone, fewer or -1. */
+    /** Writes all the bytes without a time limit. Returns the number of bytes written. If the device has gone, returns fewer or -1. */
     protected abstract int writeToDriver(byte[] bytes);
 
     /**
-     * Returns whether {@link #writeToDriver} certainly takes a frame at once while no other write is under way; see {@link #isWritableNow}.
+     * Returns whether {@link #writeToDriver} certainly takes a frame at once if no other write is in progress; see
+     * {@link #isWritableNow}.
      */
     protected boolean hasRoom(long unread) {
         return false;
     }
 
-    /** Closes the device and so ends the reads and writes that wait for it. Called once. */
+    /** Closes the device. Reads and writes that wait for the device then end. Called once. */
     protected abstract void closeDriver();
 
-    /** The reason why the driver refused a read or a write; completes "port x is gone: ...". */
+    /** Returns why the driver refused a read or a write. The text completes "port x is gone: ...". */
     protected abstract String lossWhenRefused();
 
     @Override
@@ -98,7 +100,9 @@ public abstract class DriverTransport implements Transport {
         return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
-    /** Records {@code why} as the reason for the loss of the device, if none is recorded. Returns the exception to throw. */
+    /**
+     * Records {@code why} as the reason for the loss of the device, unless a reason is recorded already. Returns the exception to throw.
+     */
     protected final PortGoneException lost(String why) {
         if (!closed.get() && loss == null) {
             loss = why;
@@ -106,7 +110,6 @@ public abstract class DriverTransport implements Transport {
         return new PortGoneException(name, "port " + name + " is gone: " + (loss != null ? loss : "it was closed"));
     }
 
-    /** Returns whether the device is gone. */
     protected final boolean isLost() {
         return loss != null;
     }

@@ -6,17 +6,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. The payload has
- * 0 to {@value #MAX_PAYLOAD} bytes. The text of a frame is ISO-8859-1 on every platform, one byte a character. Immutable, hence safe on any
- * thread. Version 2 has {@link javino.wire.WireFrame}.
+ * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, and the payload. The
+ * payload has 0 to {@value #MAX_PAYLOAD} bytes. Each character of the text is one byte (ISO-8859-1). Immutable and safe on any thread.
+ * {@link javino.wire.WireFrame} is the frame of version 2.
  *
  * @param text the payload as text, one character a byte (ISO-8859-1)
  */
 public record Frame(String text) {
-    /** The longest payload, in bytes: the length field has two hexadecimal digits. */
+    /** The length of the longest payload, in bytes. */
     public static final int MAX_PAYLOAD = 255;
 
-    /** Bytes on the line before the payload: four of preamble, two of length. */
+    /** Length of the header in bytes: four of preamble, two of length. */
     public static final int HEADER_LENGTH = 6;
 
     private static final char DELETE = 0x7F;
@@ -25,10 +25,7 @@ public record Frame(String text) {
 
     private static final Pattern HEADER = Pattern.compile(PREAMBLE + "\\p{XDigit}{2}");
 
-    /**
-     * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or a character above U+00FF, which does
-     *     not fit into a byte
-     */
+    /** @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or a character above U+00FF */
     public Frame {
         requireBytes(text);
         if (text.length() > MAX_PAYLOAD) {
@@ -37,17 +34,17 @@ public record Frame(String text) {
         }
     }
 
-    /** The frame that carries {@code text}; see {@link #Frame}. */
+    /** Returns a frame with the payload {@code text}; see {@link #Frame}. */
     public static Frame of(String text) {
         return new Frame(text);
     }
 
     /**
-     * Like {@link #of(String)}, for a command. The frame's text must not hold the beginning of a frame: a board searches a damaged or too
-     * long frame for other frames.
+     * Like {@link #of(String)}, for a command. The text must not contain the header of a frame, because a board searches a damaged frame
+     * for other frames.
      *
-     * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or a control character (U+0000 to
-     *     U+001F, U+007F)
+     * @throws IllegalArgumentException also if the text contains {@code fffe} and two hexadecimal digits, or a control character (U+0000
+     *     to U+001F, U+007F)
      */
     public static Frame ofCommand(String text) {
         for (int i = 0; i < text.length(); i++) {
@@ -60,7 +57,7 @@ public record Frame(String text) {
                         i + 1));
             }
         }
-        if (text.contains(PREAMBLE)) { // tested for every command, so not with the slower pattern
+        if (text.contains(PREAMBLE)) { // faster than the pattern, which most commands do not need
             requireNoHeader(text);
         }
         return of(text);
@@ -78,7 +75,7 @@ public record Frame(String text) {
     }
 
     /**
-     * The frame that carries a copy of {@code payload}.
+     * Returns a frame with a copy of {@code payload}.
      *
      * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes
      */
@@ -93,7 +90,7 @@ public record Frame(String text) {
     /**
      * Returns {@code text} unchanged.
      *
-     * @throws IllegalArgumentException if it has a character above U+00FF, which does not fit into a byte
+     * @throws IllegalArgumentException if the text has a character above U+00FF
      */
     public static String requireBytes(String text) {
         for (int i = 0; i < text.length(); i++) {
@@ -109,22 +106,22 @@ public record Frame(String text) {
         return text;
     }
 
-    /** Returns {@code text} in quotes, for a message to a person; of a long text only the beginning. */
+    /** Returns {@code text} in quotes, for a message to a person. Shortens a text of more than 40 characters. */
     public static String quoted(String text) {
         return text.length() <= 40 ? '"' + text + '"' : '"' + text.substring(0, 40) + "...\"";
     }
 
-    /** A copy of the payload's bytes. */
+    /** Returns a copy of the payload's bytes. */
     public byte[] payload() {
         return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /** The number of this frame's bytes on the line: {@value #HEADER_LENGTH} for the header, and the payload. */
+    /** Returns the number of bytes of this frame: {@value #HEADER_LENGTH} for the header, and the payload. */
     public int length() {
         return HEADER_LENGTH + text.length();
     }
 
-    /** The frame's bytes on the line, in a new array; the digits of the length are in upper case. */
+    /** Returns the frame's bytes in a new array. The digits of the length are in upper case. */
     public byte[] toBytes() {
         byte[] bytes = new byte[length()];
         copy(PREAMBLE, bytes, 0);
@@ -138,7 +135,7 @@ public record Frame(String text) {
         System.arraycopy(text.getBytes(StandardCharsets.ISO_8859_1), 0, bytes, at, text.length());
     }
 
-    /** The frame as it is on the line, for logs and test reports. */
+    /** Returns the whole frame as text, for logs and test reports. */
     @Override
     public String toString() {
         return new String(toBytes(), StandardCharsets.ISO_8859_1);

@@ -4,22 +4,22 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Finds frames of version 1 in any bytes that a line brings.
+ * Finds frames of version 1 in the bytes from a line.
  *
- * <p>A frame is handed over as soon as its last byte is in. Version 1 has no checksum, so a damaged frame may have swallowed the beginning
- * of the next one. So the decoder keeps a frame's bytes until it knows the bytes behind the frame:
+ * <p>The decoder delivers a frame as soon as the frame's last byte has arrived. Version 1 has no checksum, so a damaged frame may contain
+ * the beginning of the next frame. The decoder therefore keeps a delivered frame's bytes until it knows the following bytes:
  * <ul>
- *   <li>the header of another frame, or silence, confirms the frame, and its bytes are forgotten;
- *   <li>anything else puts the frame in doubt: the decoder reads the frame's bytes again from the second on, with the bytes behind it, and
- *       hands over the intact frames that it finds.
+ *   <li>If silence or the header of another frame follows, the decoder forgets the bytes.
+ *   <li>If anything else follows, the frame is in doubt. The decoder searches the frame's bytes again from the second on, and delivers
+ *       the intact frames in them.
  * </ul>
- * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
+ * An intact stream gives exactly its frames, with any text in them. A damaged frame does not cost the intact frame after it.
  *
- * <p>If the line is silent for longer than the inter-byte timeout, an unfinished frame is given up; complete frames among its bytes are
- * handed over. The decoder holds about two frames at most, and no input makes it throw. Exceptions of the receiver pass through; the
- * decoder stays usable.
+ * <p>If the line is silent for longer than the inter-byte timeout, the decoder gives up an unfinished frame and delivers the complete
+ * frames among its bytes. The decoder holds about two frames at most. No input makes the decoder throw. It passes the receiver's
+ * exceptions on and stays usable.
  *
- * <p>Time is a parameter, in nanoseconds of any steady clock. One thread at a time; the receiver must not call back into the decoder.
+ * <p>Times are nanoseconds of any steady clock. Not thread-safe. The receiver must not call the decoder.
  */
 public final class FrameDecoder {
     private static final long LEAST_INTER_BYTE_NANOS = 100_000_000L;
@@ -27,7 +27,7 @@ public final class FrameDecoder {
     private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
     private static final int PREAMBLE_END = 3;
     private static final int LENGTH_AT = 4;
-    /** Room for two of the longest frames, each with an unfinished header behind it, so bytes are seldom moved. */
+    /** Two of the longest frames, each followed by an unfinished header, fit. The decoder therefore seldom moves bytes. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
     private enum Header {
@@ -42,9 +42,9 @@ public final class FrameDecoder {
     private final int other;
     private final Consumer<Frame> sink;
     private final byte[] held = new byte[CAPACITY];
-    private int start; // held[start..end) are the bytes not yet decided on
+    private int start; // held[start..end) are the undecided bytes
     private int end;
-    private int delivered; // length of the frame at start if it was handed over but is not confirmed, else 0
+    private int delivered; // length of the frame at start if it is delivered but not confirmed, else 0
     private long lastByteNanos;
     private long frames;
     private long discarded;
@@ -60,10 +60,10 @@ public final class FrameDecoder {
     }
 
     /**
-     * A decoder for a line that also carries frames of another protocol. The decoder stops at the first byte of such a frame, which the
-     * caller {@link #takeOther takes}.
+     * Creates a decoder for a line that also carries frames of another protocol. The decoder stops at the first byte of the other
+     * protocol's frame. The caller then {@linkplain #takeOther takes} the bytes.
      *
-     * @param other the byte that begins a frame of the other protocol, except within a payload of version 1; -1: there is no other protocol
+     * @param other the byte that begins a frame of the other protocol outside of version 1 payloads; -1: there is no other protocol
      */
     FrameDecoder(long interByteTimeoutNanos, int other, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
@@ -75,7 +75,7 @@ public final class FrameDecoder {
         this.sink = sink;
     }
 
-    /** The usual inter-byte timeout of a line: 100 ms, or 20 byte times if that is longer. */
+    /** Returns the usual inter-byte timeout of a line: 100 ms, or 20 byte times if they take longer. */
     public static long interByteTimeoutNanos(LineSettings line) {
         return Math.max(LEAST_INTER_BYTE_NANOS, INTER_BYTE_TIMES * line.byteNanos());
     }
@@ -88,7 +88,7 @@ public final class FrameDecoder {
         }
     }
 
-    /** Takes bytes that arrived at an unknown time up to {@code nowNanos}; no silence is assumed before them. */
+    /** Takes bytes that arrived at an unknown time up to {@code nowNanos}. Assumes no silence before the bytes. */
     public void acceptUnbroken(byte[] b, int off, int len, long nowNanos) {
         lastByteNanos = nowNanos;
         for (int i = off; i < off + len; i++) {
@@ -101,7 +101,7 @@ public final class FrameDecoder {
         accept(new byte[] {b}, 0, 1, nowNanos);
     }
 
-    /** Notes that nothing has arrived up to {@code nowNanos}; an unfinished frame may be given up. */
+    /** Notes that nothing has arrived up to {@code nowNanos}. The decoder may give up an unfinished frame. */
     public void idle(long nowNanos) {
         if (end > start && nowNanos - lastByteNanos > interByteTimeoutNanos) {
             giveUp();
@@ -109,30 +109,30 @@ public final class FrameDecoder {
     }
 
     /**
-     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE}: silence
-     * changes nothing. A thread that waits for bytes must wake after this silence and call {@code idle}.
+     * Returns the nanoseconds from {@code nowNanos} after which {@link #idle} must be called, if no byte arrives. Returns
+     * {@link Long#MAX_VALUE} if no call is needed.
      */
     public long nanosUntilIdle(long nowNanos) {
         return isReading() ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
     }
 
-    /** Forgets all held bytes, as if the next byte were the line's first. The counts stay. */
+    /** Forgets all held bytes. The next byte counts as the line's first. The counts stay. */
     public void reset() {
         discarded += end - start - delivered;
         clear();
     }
 
-    /** Frames handed over so far. */
+    /** Returns the number of frames delivered so far. */
     public long frames() {
         return frames;
     }
 
-    /** The number of bytes so far that belonged to no frame, or to a frame that was put in doubt. */
+    /** Returns the number of bytes so far that belonged to no frame, or to a frame in doubt. */
     public long discarded() {
         return discarded;
     }
 
-    /** Sets where frames may begin from now on: at any byte, or only right after a silence, see {@link #quiet}. */
+    /** Sets whether a frame may begin at any byte, or only right after a silence; see {@link #quiet}. */
     void anywhere(boolean value) {
         isAnywhere = value;
     }
@@ -149,7 +149,7 @@ public final class FrameDecoder {
         return start == end;
     }
 
-    /** Removes and returns all held bytes if they begin with a frame of the other protocol; else returns no bytes. */
+    /** If the held bytes begin with a frame of the other protocol, removes and returns them. Else returns an empty array. */
     byte[] takeOther() {
         if (!isOtherAt(start)) {
             return new byte[0];
@@ -173,7 +173,7 @@ public final class FrameDecoder {
         decide();
     }
 
-    /** Decides on as many bytes as possible. What stays is the beginning of a frame, or a frame to be confirmed. */
+    /** Decides on as many bytes as possible. Keeps the beginning of a frame, or a frame that is not confirmed. */
     private void decide() {
         boolean progress = true;
         while (progress && start < end && !isOtherAt(start)) {
@@ -181,7 +181,7 @@ public final class FrameDecoder {
         }
     }
 
-    /** Like the methods that it calls, returns whether anything was decided. */
+    /** Returns whether anything was decided. */
     private boolean confirmOrDoubt() {
         return switch (isOtherAt(start + delivered) ? Header.COMPLETE : headerAt(start + delivered)) {
             case COMPLETE -> confirm();
@@ -224,7 +224,7 @@ public final class FrameDecoder {
         return true;
     }
 
-    /** Decides on all held bytes after a silence: an unfinished frame among them is given up. */
+    /** Decides on all held bytes after a silence. Gives up an unfinished frame among them. */
     void giveUp() {
         while (end > start) {
             decide();

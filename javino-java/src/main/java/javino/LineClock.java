@@ -6,14 +6,14 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** The clock of lines and links. The clock is passed in, so that tests of code that depends on time need not wait. */
+/** The clock of lines and links. Tests pass a clock of their own and need not wait. */
 public interface LineClock {
-    /** Nanoseconds from an origin that stays the same; never goes back. Only differences mean something. */
+    /** Returns nanoseconds from a fixed origin. The value never decreases. Only differences between two values are meaningful. */
     long nanos();
 
     /**
      * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds the
-     * condition's lock. Clocks other than the machine's override this.
+     * condition's lock. A clock other than the machine's overrides this method.
      *
      * @throws InterruptedException if the thread is interrupted
      */
@@ -22,22 +22,22 @@ public interface LineClock {
     }
 
     /**
-     * Returns a new reentrant lock; {@link #await} takes only conditions of such locks. A clock of virtual time moves only while all its
-     * threads wait, so it returns locks of its own kind.
+     * Returns a new reentrant lock. {@link #await} takes only conditions of locks from this method. A virtual clock overrides this
+     * method: its time moves only while all its threads wait.
      *
-     * @param fair whether waiting threads get the lock in the order in which they asked for it
+     * @param fair whether waiting threads get the lock in the order of their requests
      */
     default Lock newLock(boolean fair) {
         return new ReentrantLock(fair);
     }
 
-    /** Runs {@code action} when {@code nanos} of this clock have passed, on a thread of the clock's choice. The action must not wait. */
+    /** Runs {@code action} after {@code nanos} of this clock, on any thread. The action must not wait. */
     default void schedule(long nanos, Runnable action) {
         CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run)
                 .execute(action);
     }
 
-    /** The machine's steady clock. */
+    /** Returns the machine's steady clock. */
     static LineClock system() {
         return System::nanoTime;
     }

@@ -3,10 +3,10 @@ package javino;
 /**
  * Settings of a serial line: 8 data bits, no parity, 1 stop bit, no flow control.
  *
- * @param baud bits a second, at least 1; boards in the field use 9600
+ * @param baud bits a second, at least 1; most boards use 9600
  */
 public record LineSettings(int baud) {
-    /** The baud rate if the settings of a board give none. */
+    /** The baud rate of a board whose settings give none. */
     public static final int DEFAULT_BAUD = 9600;
 
     private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit
@@ -18,12 +18,12 @@ public record LineSettings(int baud) {
         }
     }
 
-    /** 9600 baud. */
+    /** Returns settings with 9600 baud. */
     public static LineSettings defaults() {
         return new LineSettings(DEFAULT_BAUD);
     }
 
-    /** Nanoseconds that one byte takes on the line: ten bit times. */
+    /** Returns the nanoseconds that one byte takes on the line: ten bit times. */
     public long byteNanos() {
         return BITS_PER_BYTE * NANOS_PER_SECOND / baud;
     }

@@ -1,6 +1,6 @@
 package javino;
 
-/** There is no port of that name; the message lists the present ports. */
+/** Thrown if there is no port of the given name. The message lists the present ports. */
 public final class NoSuchPortException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A board's description of one argument of a {@linkplain PerceptKind kind of percepts}. {@link #parse} reads its text. */
+/** A board's description of one argument of a {@linkplain PerceptKind kind of percepts}. */
 public sealed interface PerceptArgument {
     /** The argument may be anything: {@code _}. */
     record Anything() implements PerceptArgument {
@@ -23,7 +23,7 @@ public sealed interface PerceptArgument {
     }
 
     /**
-     * The argument is one of some atoms and numbers: {@code front|left|right}.
+     * The argument is one of several atoms or numbers: {@code front|left|right}.
      *
      * @param choices at least one
      */
@@ -72,7 +72,7 @@ public sealed interface PerceptArgument {
         private static final String UNIT = "(?![0-9_+-])[!-~\\xa1-\\xff&&[^.,;()|#\"'\\[\\]{}]]++";
         private static final Pattern TEXT =
                 Pattern.compile("(?:(" + UNIT + ") ++)?(" + NUMBER + ")? *+\\.\\. *+(" + NUMBER + ")?");
-        /** A number as it is written in percepts. */
+        /** The syntax of a number in a percept. */
         private static final Pattern NUMERAL = Pattern.compile("[+-]?[0-9]+(?:\\.[0-9]+)?(?:[eE][+-]?[0-9]+)?");
 
         public Quantity {
@@ -113,13 +113,16 @@ public sealed interface PerceptArgument {
         }
     }
 
-    /** Returns how the text of a percept's argument deviates from this description, as "more than 400"; empty: it does not. */
+    /**
+     * Returns how the text of a percept's argument deviates from this description, such as "more than 400". Returns empty if the text
+     * fits.
+     */
     Optional<String> deviationOf(String value);
 
     /**
-     * Reads the description of an argument, see {@link PerceptKind}.
+     * Reads the description of an argument. {@link PerceptKind} defines the syntax.
      *
-     * @throws IllegalArgumentException if it cannot be read
+     * @throws IllegalArgumentException if the text cannot be read
      */
     static PerceptArgument parse(String text) {
         if (text.equals("_")) {

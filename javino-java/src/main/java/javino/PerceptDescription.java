@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A board's answer to the question which kinds of percepts it has: {@code ?dist(front|left, cm 0..400);?ready;}.
+ * A board's description of its kinds of percepts: {@code ?dist(front|left, cm 0..400);?ready;}.
  *
  * @param kinds the kinds, in the board's order
- * @param problems for each other description in the answer, the reason why it cannot be read
+ * @param problems one reason for each kind that could not be read
  */
 public record PerceptDescription(List<PerceptKind> kinds, List<String> problems) {
     private static final String MARK = "?";
@@ -19,12 +19,12 @@ public record PerceptDescription(List<PerceptKind> kinds, List<String> problems)
         problems = List.copyOf(problems);
     }
 
-    /** The texts that describe {@code kinds}, each with its {@code ;}. */
+    /** Returns the texts that describe {@code kinds}. Each text ends with {@code ;}. */
     public static List<String> texts(List<PerceptKind> kinds) {
         return kinds.stream().map(kind -> MARK + kind + ";").toList();
     }
 
-    /** Reads an answer. A board that does not understand the question answers with percepts; the result then has no kinds. */
+    /** Reads an answer. A board that cannot describe its percepts answers with percepts. The result then has no kinds. */
     public static PerceptDescription read(String answer) {
         List<PerceptKind> kinds = new ArrayList<>();
         List<String> problems = new ArrayList<>();
@@ -40,7 +40,7 @@ public record PerceptDescription(List<PerceptKind> kinds, List<String> problems)
         return new PerceptDescription(kinds, problems);
     }
 
-    /** Returns the kind that {@code text} describes; refuses a text that is too long or one too many. */
+    /** Returns the kind that {@code text} describes. Throws if the text is too long, or if there are too many kinds. */
     private static PerceptKind kindIn(String text, int kinds) {
         if (kinds == MAX_KINDS) {
             throw new IllegalArgumentException("a board describes at most " + MAX_KINDS + " kinds");

@@ -7,9 +7,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * A kind of percepts that a board has: {@code dist(front|left|right, cm 0..400)}.
+ * A kind of a board's percepts: {@code dist(front|left|right, cm 0..400)}.
  *
- * <p>Boards describe themselves with such texts, and files of percepts have one on each line.
+ * <p>Boards of version 2 report their kinds in this form. A file of percepts has one kind a line.
  *
  * <table>
  * <caption>Arguments</caption>
@@ -17,11 +17,11 @@ import java.util.stream.Collectors;
  * <tr><td>{@code _}</td><td>anything</td></tr>
  * <tr><td>{@code front|left}, {@code 0|1}, {@code sonar}</td><td>one of these atoms or numbers</td></tr>
  * <tr><td>{@code 0..400}, {@code -0.5..}, {@code ..}</td><td>a number in this range; a limit may be missing</td></tr>
- * <tr><td>{@code cm 0..400}, {@code % ..}</td><td>such a number in this unit</td></tr>
+ * <tr><td>{@code cm 0..400}, {@code % ..}</td><td>a number in this range and this unit</td></tr>
  * </table>
  *
- * @param functor the percepts' functor, with a {@code ~} in front if they are strongly negated
- * @param arguments the descriptions of the arguments, in their order, one for each argument of such a percept
+ * @param functor the percepts' functor, with a {@code ~} in front if the percepts are strongly negated
+ * @param arguments one description for each argument, in order
  */
 public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     private static final Pattern FUNCTOR = Pattern.compile("~?[a-z][A-Za-z0-9_]*");
@@ -37,9 +37,9 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     }
 
     /**
-     * Reads the text of one kind, with or without a {@code ;} behind it.
+     * Reads the text of one kind. The text may end with {@code ;}.
      *
-     * @throws IllegalArgumentException if the text cannot be read; the message says where, and what is allowed there
+     * @throws IllegalArgumentException if the text cannot be read; the message says where, and what is allowed
      */
     public static PerceptKind parse(String text) {
         var parts = TEXT.matcher(text.strip());
@@ -68,7 +68,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     /**
      * Reads a file of percepts: one kind a line. A {@code #} begins a comment.
      *
-     * @throws IllegalArgumentException if a line cannot be read; the message has the line's number, from 1
+     * @throws IllegalArgumentException if a line cannot be read; the message has the line's number, counted from 1
      */
     public static List<PerceptKind> parseLines(String file) {
         List<PerceptKind> kinds = new ArrayList<>();
@@ -86,7 +86,10 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return kinds;
     }
 
-    /** Returns why a percept does not belong to this kind, as "argument 2 is 512, more than 400"; empty: the percept belongs. */
+    /**
+     * Returns why a percept does not belong to this kind, such as "argument 2 is 512, more than 400". Returns empty if the percept
+     * belongs.
+     */
     public Optional<String> deviationOf(PerceptTerm percept) {
         if (!isAlike(percept)) {
             return Optional.of(percept.indicator() + " is not " + functor + "/" + arguments.size());
@@ -101,7 +104,10 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
-    /** Returns the first of {@code kinds} that fits the percept; else the first with the percept's functor and number of arguments. */
+    /**
+     * Returns the first of {@code kinds} that fits the percept. If none fits, returns the first with the percept's functor and number of
+     * arguments.
+     */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
                 kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
@@ -112,8 +118,9 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     }
 
     /**
-     * Returns why a percept belongs to none of several kinds; empty: it belongs to one. If only one kind has the percept's functor and
-     * number of arguments, the reason is about this kind; else it names the kinds.
+     * Returns why a percept belongs to none of {@code kinds}. Returns empty if the percept belongs to one. If only one kind has the
+     * percept's functor and number of arguments, the reason tells how the percept deviates from this kind. If there are several, the
+     * reason names them.
      */
     public static Optional<String> deviationOf(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
@@ -130,7 +137,10 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         };
     }
 
-    /** Writes a percept with this functor and number of arguments for a person, with units behind numbers: {@code dist(front,38 cm)}. */
+    /**
+     * Returns a percept's text for a person, with units after numbers: {@code dist(front,38 cm)}. The percept has this kind's functor and
+     * number of arguments.
+     */
     public String withUnits(PerceptTerm percept) {
         List<String> shown = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
@@ -148,7 +158,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return percept.functor().equals(functor) && percept.arguments().size() == arguments.size();
     }
 
-    /** The text, which {@link #parse} reads. */
+    /** Returns the kind's text in the syntax of {@link #parse}. */
     @Override
     public String toString() {
         return arguments.isEmpty()

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The text of a percept or a command, taken apart into functor and arguments. No text is refused.
+ * The functor and the arguments of a percept or a command. Any text can be read.
  *
- * @param functor the text in front of the arguments, with a {@code ~} if it is negated
- * @param arguments the texts of the arguments, without the blanks around them
+ * @param functor the text before the arguments, with a {@code ~} if the percept is negated
+ * @param arguments the texts of the arguments, without surrounding blanks
  */
 public record PerceptTerm(String functor, List<String> arguments) {
     public PerceptTerm {
@@ -15,7 +15,8 @@ public record PerceptTerm(String functor, List<String> arguments) {
     }
 
     /**
-     * Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is ignored. {@code f()} has no arguments.
+     * Splits a percept into functor and arguments. {@code text} may end with {@code ;}. Text after the arguments is ignored. {@code f()}
+     * has no arguments.
      */
     public static PerceptTerm of(String text) {
         int end = 0;
@@ -26,12 +27,12 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return new PerceptTerm(withoutBlanks(text.substring(0, end)), hasArguments ? arguments(text, end) : List.of());
     }
 
-    /** The functor and the number of arguments: {@code dist/2}. */
+    /** Returns the functor and the number of arguments: {@code dist/2}. */
     public String indicator() {
         return functor + "/" + arguments.size();
     }
 
-    /** Returns {@code text} without blanks around it. A control character is no blank. */
+    /** Returns {@code text} without surrounding spaces. Keeps control characters. */
     private static String withoutBlanks(String text) {
         int from = 0;
         int end = text.length();
@@ -44,7 +45,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return text.substring(from, end);
     }
 
-    /** The texts of an answer, each with its {@code ;}. Text behind the last {@code ;} counts as one more. */
+    /** Splits an answer into the texts of its percepts, each with its {@code ;}. Text after the last {@code ;} becomes one more element. */
     public static List<String> split(String answer) {
         List<String> texts = new ArrayList<>();
         Nesting nesting = new Nesting();
@@ -62,7 +63,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return texts;
     }
 
-    /** Returns true if every bracket and quote that opens in {@code text} is closed, and every closing bracket has an opening one. */
+    /** Returns whether all brackets and quotes in {@code text} are balanced. */
     public static boolean isClosed(String text) {
         Nesting nesting = new Nesting();
         text.chars().forEach(c -> nesting.pass((char) c));
@@ -90,9 +91,9 @@ public record PerceptTerm(String functor, List<String> arguments) {
     /** Counts the open brackets outside of quotes. */
     private static final class Nesting {
         private int depth;
-        private char quote; // 0: none
+        private char quote;
         private boolean isEscaped;
-        private boolean hasExcess; // there was a closing bracket without an opening one
+        private boolean hasExcess; // there was a closing bracket without an opening bracket
 
         void pass(char c) {
             if (quote != 0) {

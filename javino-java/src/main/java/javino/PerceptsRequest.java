@@ -5,29 +5,26 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The request for percepts: {@code getPercepts} asks for all, {@code getPercepts(dist,light)} asks a board of version 2 for the percepts of
- * some functors.
+ * The request for percepts. {@code getPercepts} asks for all percepts. {@code getPercepts(dist,light)} asks a board of version 2 only for
+ * percepts with these functors.
  */
 public final class PerceptsRequest {
-    /** Asks for all percepts. Every board answers this request; no board takes it for an action. */
+    /** Asks for all percepts. Every board answers this request. No board treats it as an action. */
     public static final String ALL = "getPercepts";
 
-    /**
-     * Asks a board of version 2 for the kinds of its percepts. A board that cannot describe kinds reads this as a request for percepts of
-     * some functors.
-     */
+    /** Asks a board of version 2 for the kinds of its percepts. A board that cannot describe kinds takes the {@code ?} for a functor. */
     public static final String KINDS = ALL + "(?)";
 
     private static final String SOME = ALL + "(";
 
     private PerceptsRequest() {}
 
-    /** Returns whether {@code message} asks for percepts, all or some. */
+    /** Returns whether {@code message} is a request for percepts. */
     public static boolean isIn(String message) {
         return message.equals(ALL) || message.startsWith(SOME);
     }
 
-    /** The functors that {@code message} asks for; empty: all. */
+    /** Returns the functors that {@code message} asks for. An empty result means all percepts. */
     public static Set<String> functorsIn(String message) {
         if (!message.startsWith(SOME)) {
             return Set.of();

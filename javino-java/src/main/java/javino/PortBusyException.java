@@ -1,18 +1,18 @@
 package javino;
 
-/** The port is already open; {@link #owner()} names its owner. */
+/** Thrown if the port is already open. */
 public final class PortBusyException extends PortException {
     private static final long serialVersionUID = 1L;
 
     private final String owner;
 
-    /** @param owner the port's owner, in words: an agent's name, or a process with its id */
+    /** @param owner the port's owner for a message, such as an agent's name, or a process with its id */
     public PortBusyException(String port, String owner) {
         super(port, "port " + port + " is in use by " + owner + "; a port has one owner at a time", null);
         this.owner = owner;
     }
 
-    /** The port's owner: its name in this program, or the process that has the port open, if that can be found out. */
+    /** Returns the port's owner: its name in this program, or the process that has the port open. The owner may be unknown. */
     public String owner() {
         return owner;
     }

@@ -2,7 +2,7 @@ package javino;
 
 import java.io.IOException;
 
-/** A failure of one port. The subclass tells the kind of failure; the message says what failed, and what to do. */
+/** A failure of one port. The subclass is the kind of failure. The message says what failed, and what to do. */
 public abstract class PortException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -13,7 +13,7 @@ public abstract class PortException extends IOException {
         this.port = port;
     }
 
-    /** The port's name as it was given. */
+    /** Returns the port's name as the caller gave it. */
     public String port() {
         return port;
     }

@@ -1,6 +1,6 @@
 package javino;
 
-/** The driver refused for a reason that has no exception of its own; the message carries the driver's code. */
+/** Thrown if the driver refused for a reason that has no exception class. The message contains the driver's error code. */
 public final class PortFaultException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package javino;
 
-/** The port was open and is not any more: its device was unplugged, the far end closed, or this program closed it. */
+/** Thrown if an open port was lost or closed: its device was unplugged, the far end closed, or this program closed the port. */
 public final class PortGoneException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,9 @@
 package javino;
 
-/** The calling thread was interrupted while it waited for the port. The thread is still marked as interrupted; the port is still open. */
+/**
+ * Thrown if the calling thread was interrupted while it waited for the port. The thread stays marked as interrupted. The port is still
+ * open.
+ */
 public final class PortInterruptedException extends PortException {
     private static final long serialVersionUID = 1L;
 
@@ -8,7 +11,7 @@ public final class PortInterruptedException extends PortException {
         super(port, "interrupted while waiting for port " + port, null);
     }
 
-    /** Marks the calling thread as interrupted again, and returns the exception to throw in place of an {@link InterruptedException}. */
+    /** Marks the calling thread as interrupted again. Returns the exception to throw in place of an {@link InterruptedException}. */
     public static PortInterruptedException remarking(String port) {
         Thread.currentThread().interrupt();
         return new PortInterruptedException(port);

@@ -5,11 +5,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A port's name taken apart: {@code sim:robot} is the address {@code robot} of the scheme {@code sim}, and a name without a scheme is the
- * address of a serial device.
+ * The scheme and the address of a port's name. The name {@code sim:robot} has the scheme {@code sim} and the address {@code robot}. A
+ * name without a scheme is the address of a serial device.
  *
- * <p>A scheme has two letters or more, so {@code C:\dev} is a path. A path may hold colons ({@code /dev/serial/by-path/pci-0000:00}), since
- * no scheme holds a slash. {@code COM8:}, as DOS writes it, is {@code COM8}.
+ * <p>A scheme has two letters or more, so {@code C:\dev} is a path. A scheme contains no slash, so a path may contain colons
+ * ({@code /dev/serial/by-path/pci-0000:00}). The DOS name {@code COM8:} means {@code COM8}.
  */
 record PortName(String scheme, String address) {
     private static final Pattern WITH_SCHEME = Pattern.compile("([A-Za-z][A-Za-z0-9+.-]+):(.*)", Pattern.DOTALL);

@@ -1,6 +1,6 @@
 package javino;
 
-/** The port is there, but this user may not open it; the message says how to change that. */
+/** Thrown if the port exists, but this user may not open it. The message says how to get the permission. */
 public final class PortPermissionException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package javino;
 
-/** An operation on the port did not end within its time limit. The port is still open. */
+/** Thrown if an operation on the port did not end within its time limit. The port is still open. */
 public final class PortTimeoutException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Finds services with two class loaders, that of the calling thread and that of this library: they may differ in a Jason project. A service
- * that cannot be loaded is reported once.
+ * Finds services with two class loaders: that of the calling thread and that of this library. In a Jason project the two may differ. A
+ * service that cannot be loaded is reported once.
  */
 public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
@@ -19,7 +19,7 @@ public final class Services {
 
     private Services() {}
 
-    /** Returns the providers of {@code service} without creating a service. A provider that both class loaders see comes twice. */
+    /** Returns the providers of {@code service} without creating a service. A provider that both class loaders see appears twice. */
     public static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
         List<ServiceLoader.Provider<T>> found = new ArrayList<>();
         addAll(found, ServiceLoader.load(service));
@@ -36,12 +36,12 @@ public final class Services {
                 }
                 found.add(providers.next());
             } catch (ServiceConfigurationError e) {
-                warn(e); // the loader goes on with the next provider
+                warn(e); // the loader continues with the next provider
             }
         }
     }
 
-    /** Creates the service of {@code provider}; null, with a warning, if that fails. */
+    /** Creates the service of {@code provider}. If that fails, logs a warning and returns null. */
     public static <T> T make(ServiceLoader.Provider<T> provider) {
         try {
             return provider.get();

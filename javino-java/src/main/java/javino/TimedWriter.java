@@ -14,9 +14,8 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has no limit: it waits until the far end reads. So a thread of this
- * writer writes while the caller waits. If the driver certainly takes the bytes at once, the caller writes by itself. Safe on any thread;
- * writes go out whole, in the order of the calls.
+ * Gives blocking writes a time limit. The operating system's write has none: it waits until the far end reads. A thread of this writer
+ * therefore writes while the caller waits. Safe on any thread. Each write goes out whole, in the order of the calls.
  */
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
@@ -31,10 +30,10 @@ final class TimedWriter {
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
     private final AtomicInteger underWay =
-            new AtomicInteger(); // number of the thread's writes that wait or are being done
+            new AtomicInteger(); // number of the thread's writes that are queued or in progress
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
-    /** @param driver writes without a time limit; returns the number of written bytes: all, fewer, or -1 on an error */
+    /** @param driver writes without a time limit; returns the number of bytes written, or -1 on an error */
     TimedWriter(String port, ToIntFunction<byte[]> driver) {
         this.driver = driver;
         thread = Executors.newSingleThreadExecutor(work -> {
@@ -44,10 +43,10 @@ final class TimedWriter {
         });
     }
 
-    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, the bytes may still leave. */
+    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, the bytes may still go out later. */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
-        // set by the thread when it begins to write, or by the caller when it gives up
+        // set by the thread when it begins the write, or by the caller when it gives up
         AtomicBoolean isTaken = new AtomicBoolean();
         CompletableFuture<Outcome> write;
         underWay.incrementAndGet();
@@ -69,7 +68,7 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            if (!isTaken.getAndSet(true)) { // a write that has not begun never begins
+            if (!isTaken.getAndSet(true)) { // a write that has not begun is cancelled
                 underWay.decrementAndGet();
             }
         }
@@ -87,12 +86,12 @@ final class TimedWriter {
         return driver.applyAsInt(bytes) == bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
     }
 
-    /** Returns whether this writer's thread has a write to do or to end, even a write that was {@link Outcome#TOO_LATE}. */
+    /** Returns whether this writer's thread has a queued or unfinished write, even one that was {@link Outcome#TOO_LATE}. */
     boolean isWriting() {
         return underWay.get() > 0;
     }
 
-    /** Ends the thread as soon as its write returns. Waiting calls return {@link Outcome#CLOSED}. */
+    /** Ends the thread after its present write. Waiting calls return {@link Outcome#CLOSED}. */
     void close() {
         thread.shutdown();
         closed.complete(Outcome.CLOSED);

@@ -3,64 +3,67 @@ package javino;
 import java.util.List;
 
 /**
- * Opens transports of one kind. Programs add other kinds through {@link java.util.ServiceLoader}: a class with a public constructor without
+ * Opens transports of one kind. {@link java.util.ServiceLoader} finds providers. A provider is a class with a public constructor without
  * arguments, named in {@code META-INF/services/javino.TransportProvider}.
  *
- * <p>A port is written {@code scheme:address}; {@link Transports} hands the text behind the colon to the provider of the scheme. Providers
- * are called from any thread.
+ * <p>A port is written {@code scheme:address}. {@link Transports} passes the address to the provider of the scheme. Any thread may call a
+ * provider.
  */
 public interface TransportProvider {
-    /** The scheme, two or more letters, digits, {@code +}, {@code .} or {@code -}, the first a letter: {@code sim}. */
+    /**
+     * Returns the scheme, such as {@code sim}. A scheme begins with a letter and has two or more letters, digits, {@code +}, {@code .} or
+     * {@code -}.
+     */
     String scheme();
 
     /**
      * Opens the port at {@code address}.
      *
-     * @param address the text behind {@code scheme:}, not blank
-     * @throws PortException if the port cannot be opened; its class and its message say why
+     * @param address the text after {@code scheme:}, not blank
+     * @throws PortException if the port cannot be opened; the exception's class and message say why
      */
     Transport open(String address, LineSettings line) throws PortException;
 
-    /** The port's name with its scheme, for messages. */
+    /** Returns the port's name with its scheme, for messages. */
     default String port(String address) {
         return scheme() + ':' + address;
     }
 
-    /** The names of the present ports, as {@link Transports#open} takes them; none if ports cannot be listed, as by default. */
+    /** Returns the names of the present ports, for {@link Transports#open}. By default, or if ports cannot be listed, the list is empty. */
     default List<String> ports() {
         return List.of();
     }
 
     /**
-     * Returns one address for all the addresses of one device, so that a device under two names still has one owner.
+     * Returns one address for all the addresses of one device. A device with two names then has one owner.
      *
-     * @return {@code address} itself, unless the provider knows better
+     * @return by default {@code address} itself
      */
     default String canonicalAddress(String address) {
         return address;
     }
 
     /**
-     * Returns one name for all the names of one device, whatever their schemes. If the device belongs to another provider, returns that
-     * provider's name for the device.
+     * Returns one name for all the names of one device, even names with other schemes. If the device belongs to another provider, returns
+     * that provider's name for the device.
      *
-     * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
+     * @return by default the scheme and the {@linkplain #canonicalAddress canonical address}
      */
     default String canonicalName(String address) {
         return port(canonicalAddress(address));
     }
 
     /**
-     * Returns whether {@link #open} would find something to open. Callers ask this again and again while a device is missing, so this
-     * method is cheap and opens nothing.
+     * Returns whether {@link #open} would find a device. Callers ask repeatedly while a device is missing, so this method must be cheap
+     * and open nothing.
      *
-     * @return true also if only {@link #open} could find out, as by default
+     * @return true also if only {@link #open} could find out. By default true
      */
     default boolean isPresent(String address) {
         return true;
     }
 
-    /** The settings for opening a port if no rate is given. By default 9600 baud. */
+    /** Returns the settings for a port that is opened without a baud rate. By default 9600 baud. */
     default LineSettings usualLine() {
         return LineSettings.defaults();
     }

@@ -9,13 +9,14 @@ import java.util.ServiceLoader;
 import java.util.function.BiFunction;
 
 /**
- * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
+ * Opens ports by name. The {@link TransportProvider} of the scheme opens {@code scheme:address}. A name without a scheme is a serial
+ * device.
  *
- * <p>{@link ServiceLoader} finds the providers: {@code serial}, {@code usb}, {@code tcp}, {@code tls}, {@code sim} and {@code replay} of
- * this library, and those that programs add. A program cannot replace a provider of this library. All methods are safe on any thread.
+ * <p>{@link ServiceLoader} finds the providers. This library has {@code serial}, {@code usb}, {@code tcp}, {@code tls}, {@code sim} and
+ * {@code replay}. Programs can add others, but cannot replace a provider of this library. All methods are safe on any thread.
  */
 public final class Transports {
-    /** The scheme of a name in which no scheme is written: serial devices. */
+    /** The scheme of serial devices, for names without a written scheme. */
     public static final String SERIAL = "serial";
 
     private static final String OWN_PACKAGES = Transports.class.getPackageName() + '.';
@@ -25,9 +26,9 @@ public final class Transports {
     /**
      * Opens {@code port}.
      *
-     * @throws NoSuchPortException if there is no such port or scheme; the message lists the present ones
+     * @throws NoSuchPortException if the port or its scheme does not exist; the message lists the present ports or schemes
      * @throws PortBusyException if the port is open already
-     * @throws PortPermissionException if this user may not open it
+     * @throws PortPermissionException if this user may not open the port
      * @throws PortFaultException if the driver refuses for another reason
      */
     public static Transport open(String port, LineSettings line) throws PortException {
@@ -35,7 +36,7 @@ public final class Transports {
         return provider(port, name).open(name.address(), line);
     }
 
-    /** The names of the present ports: serial devices, simulated boards, and the ports that other providers list. */
+    /** Returns the names of the present ports: serial devices, simulated boards, and the ports that other providers list. */
     public static List<String> ports() {
         List<String> ports = new ArrayList<>();
         providers().values().forEach(provider -> ports.addAll(provider.ports()));
@@ -43,19 +44,19 @@ public final class Transports {
     }
 
     /**
-     * Returns one name for all the names of one device. Symbolic links are followed; a USB identity becomes the serial device that has it
-     * now; a scheme is written in front. Neither the port nor its scheme need exist.
+     * Returns one name for all the names of one device. Follows symbolic links, replaces a USB identity with its present serial device,
+     * and adds a missing scheme. The port and its scheme need not exist.
      */
     public static String canonicalName(String port) {
-        return ask(port, TransportProvider::canonicalName, port); // without a provider the name stays as it is
+        return ask(port, TransportProvider::canonicalName, port); // an unknown scheme: the name stays as it is
     }
 
-    /** Returns whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
+    /** Returns whether {@code port} is present, as far as {@link TransportProvider#isPresent} can tell without opening the port. */
     public static boolean isPresent(String port) {
         return ask(port, TransportProvider::isPresent, false);
     }
 
-    /** The settings for opening {@code port} if no rate is given, see {@link TransportProvider#usualLine}. */
+    /** Returns the settings for {@code port} if the caller gives no baud rate; see {@link TransportProvider#usualLine}. */
     public static LineSettings usualLine(String port) {
         return ask(port, (provider, address) -> provider.usualLine(), LineSettings.defaults());
     }
@@ -105,7 +106,7 @@ public final class Transports {
         return providers;
     }
 
-    /** Returns whether both providers are of one class, although two class loaders may have loaded it. */
+    /** Returns whether both providers have the same class name. Two class loaders may have loaded one class twice. */
     private static boolean isSame(TransportProvider one, TransportProvider other) {
         return one.getClass().getName().equals(other.getClass().getName());
     }

@@ -1,6 +1,6 @@
 package javino
 
-/** A decoder on a time of its own, that keeps what it delivers. */
+/** A decoder with a clock of its own. Keeps the delivered frames. */
 internal class DecoderProbe(private val timeoutNanos: Long = 100) {
     val delivered = mutableListOf<Frame>()
     val decoder = FrameDecoder(timeoutNanos, delivered::add)
@@ -15,7 +15,7 @@ internal class DecoderProbe(private val timeoutNanos: Long = 100) {
 
     fun feed(text: String): DecoderProbe = feed(text.toByteArray(Charsets.ISO_8859_1))
 
-    /** Lets the line be silent for longer than the inter-byte timeout. */
+    /** Advances the clock by more than the inter-byte timeout. */
     fun silence(): DecoderProbe {
         now += timeoutNanos + 1
         decoder.idle(now)
@@ -25,5 +25,4 @@ internal class DecoderProbe(private val timeoutNanos: Long = 100) {
     fun texts(): List<String> = delivered.map { it.text() }
 }
 
-/** The frames that a decoder delivers from these bytes when silence follows. */
 internal fun decoded(text: String): List<String> = DecoderProbe().feed(text).silence().texts()

@@ -19,13 +19,12 @@ import io.kotest.property.checkAll
 import java.util.Random
 import kotlin.time.Duration.Companion.minutes
 
-/** The place of a header, in which another one may begin. */
 private val HEADER = Regex("(?=fffe([0-9A-Fa-f]{2}))")
 
-/** A payload as boards send it: it holds no `f`, so that no preamble starts in it. */
+/** Payloads without `f`, so no preamble can begin in them. */
 private val ordinary = Arb.list(Arb.element("abcdeghij(),;0123456789 \u00e9".toList()), 0..40).map { Frame.of(it.joinToString("")) }
 
-/** Bytes that confuse a decoder most: pieces of preambles and lengths. */
+/** Payloads made of pieces of preambles and lengths. */
 private val nastyText =
     Arb.list(Arb.element("f", "ff", "fffe", "fffe0", "fffe02", "e", "0", "A", "F", "x"), 0..30).map { it.joinToString("") }
 private val nasty = nastyText.map { Frame.of(it) }
@@ -33,8 +32,8 @@ private val nasty = nastyText.map { Frame.of(it) }
 private fun bytesOf(frames: List<Frame>): ByteArray = frames.fold(ByteArray(0)) { all, frame -> all + frame.toBytes() }
 
 /**
- * Returns whether bytes in front of intact frames can be read as the beginning of a frame that ends exactly where one of the intact frames
- * ends. Then nothing tells the two readings apart: a frame with a frame in its payload looks the same.
+ * Returns whether the damaged bytes can also be read as a frame that ends exactly at the end of an intact frame. A decoder cannot tell
+ * the two readings apart.
  */
 private fun isAmbiguous(damaged: ByteArray, intact: List<Frame>): Boolean {
     val stream = String(damaged + bytesOf(intact), Charsets.ISO_8859_1)

@@ -2,7 +2,7 @@ package javino
 
 import java.util.concurrent.locks.Condition
 
-/** A clock that jumps to the end of every wait: for one thread, without signals of another. */
+/** A clock that jumps to the end of every wait. For one thread, without signals. */
 internal class JumpingClock(private var now: Long = 0) : LineClock {
     override fun nanos(): Long = now
 

@@ -2,7 +2,7 @@ package javino
 
 import java.util.concurrent.locks.Condition
 
-/** A clock that only its line moves: a thread that waits for a signal which does not come waits for ever. */
+/** A clock that only its line moves. A thread waits for ever if its signal does not come. */
 internal class LineTime : LineClock {
     @Volatile
     var now = 0L

@@ -5,7 +5,7 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** The messages of the logger [name], and of those below it, while [work] is done. */
+/** Returns the messages of the logger [name] and its children during [work]. */
 internal fun logged(name: String = "javino", meanwhile: () -> Unit = {}, work: () -> Unit): List<String> {
     val messages = CopyOnWriteArrayList<String>()
     val logger = Logger.getLogger(name)

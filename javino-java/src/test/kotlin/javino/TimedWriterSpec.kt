@@ -27,7 +27,7 @@ private class Gated : AutoCloseable {
 
     fun write(text: String, timeoutMillis: Int = LONG_MILLIS) = writer.write(text.toByteArray(), 0, text.length, timeoutMillis)
 
-    /** Writes until the driver has begun to; a write that was given up before that is not begun. */
+    /** Writes until the driver has begun. A write that timed out before that never begins. */
     fun begin(bytes: ByteArray) {
         while (begun.count > 0) {
             writer.write(bytes, 0, bytes.size, 1) shouldBe TimedWriter.Outcome.TOO_LATE

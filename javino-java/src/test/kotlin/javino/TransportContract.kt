@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
-/** Two ends of one line, and the plug. */
+/** Two ends of one line, and a function that unplugs it. */
 internal class Line(
     val computer: Transport, val board: Transport, val unplug: () -> Unit, private val release: () -> Unit,
 ) : AutoCloseable {
@@ -26,7 +26,7 @@ internal class Line(
 
 private const val LONG_MILLIS = 60_000
 
-/** The contract of every transport; a subclass supplies the line. */
+/** The contract of every transport. A subclass supplies the line. */
 internal abstract class TransportContract(available: Enabled, open: () -> Line) : FunSpec({
     fun contract(name: String, body: Line.() -> Unit) =
         test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { open().use(body) }
@@ -154,6 +154,6 @@ internal fun <T> async(work: () -> T): CompletableFuture<T> {
     return result
 }
 
-/** The exception with which the work fails, within 20 s. */
+/** Returns the exception of the failed work, within 20 s. */
 internal fun CompletableFuture<*>.failure(): Throwable =
     checkNotNull(shouldThrow<ExecutionException> { get(20, TimeUnit.SECONDS) }.cause)

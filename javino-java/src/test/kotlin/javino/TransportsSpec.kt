@@ -16,7 +16,6 @@ import java.net.URLClassLoader
 import java.nio.file.Files
 import java.util.Collections
 
-/** A scheme that a program adds: its lines lead nowhere. */
 class NowhereProvider : TransportProvider {
     override fun scheme() = "nowhere"
 
@@ -25,7 +24,7 @@ class NowhereProvider : TransportProvider {
     override fun ports() = listOf("nowhere:here")
 }
 
-/** A scheme whose provider cannot be made. */
+/** A provider whose constructor fails. */
 class UnusableProvider : TransportProvider {
     init {
         error("not today")
@@ -38,7 +37,6 @@ class UnusableProvider : TransportProvider {
     override fun ports() = listOf<String>()
 }
 
-/** A board that a program adds: it echoes. */
 open class EchoBoard : SimulatedBoard {
     override fun run(line: Transport) {
         val bytes = ByteArray(64)
@@ -49,17 +47,16 @@ open class EchoBoard : SimulatedBoard {
     }
 }
 
-/** Another board that a program adds. */
 class ParrotBoard : EchoBoard()
 
-/** A scheme that this library has. */
+/** A provider with a scheme of this library. */
 class SecondTcpProvider : TransportProvider {
     override fun scheme() = "tcp"
 
     override fun open(address: String, line: LineSettings): Transport = error("never opened")
 }
 
-/** A board of a name that another has too. */
+/** A board with the name of another board. */
 open class FirstTwin : EchoBoard() {
     override fun name() = "twin"
 }
@@ -163,7 +160,7 @@ class TransportsSpec : FunSpec({
     }
 })
 
-/** Does work on a thread whose class loader finds these services. */
+/** Runs [work] on a thread whose class loader finds these services. */
 internal fun withServices(vararg services: Pair<String, String>, work: () -> Unit) {
     val directory = Files.createTempDirectory("services")
     for ((service, implementation) in services) {

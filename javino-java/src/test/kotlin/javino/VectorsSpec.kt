@@ -14,7 +14,7 @@ import java.util.HexFormat
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.readText
 
-/** The vectors of version 1 that the board's library passes too: the two ends must agree on them, byte for byte. */
+/** The test vectors of version 1. The board's library must pass them too. */
 class VectorsSpec : FunSpec({
     val vectors = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino-vectors.json").readText()).jsonObject
     val encode = vectors.cases("encode")

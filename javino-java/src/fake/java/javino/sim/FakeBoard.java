@@ -15,7 +15,8 @@ import javino.wire.BoardAction;
 import javino.wire.WireFrame;
 
 /**
- * A board for tests. It is plugged in as {@code sim:name}, answers by the test's rules, and records its messages:
+ * A board for tests. Programs reach the board at the port {@code sim:name}. The board answers by the test's rules, and records the
+ * messages that it receives:
  *
  * <pre>{@code
  * try (FakeBoard board = FakeBoard.plugIn("robot")) {
@@ -25,13 +26,12 @@ import javino.wire.WireFrame;
  * }
  * }</pre>
  *
- * <p>The board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message did not come, a message was
- * lost (see {@link #queueSize}), or a surprising message came. A message is surprising if no rule covers it, and the test neither expects
- * it nor takes it with {@code awaitMessage}. {@link #lenient} turns this off.
+ * <p>By default the board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message did not come, if
+ * a message was lost (see {@link #queueSize}), or if a surprising message came. A message is surprising if no rule covers it, the test
+ * does not expect it, and the test does not take it with {@code awaitMessage}. A {@linkplain #lenient lenient} board accepts all this.
  *
- * <p>By default the board starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
- * without sensors. The line has the rate with which the port is opened. All methods are safe on any thread; rules may be changed while the
- * board runs.
+ * <p>By default the board starts at once, queues any number of messages, and answers {@code getPercepts} with an empty message. The line
+ * has the baud rate with which the port is opened. All methods are safe on any thread. Rules may change while the board runs.
  */
 public final class FakeBoard implements AutoCloseable {
     private static final int MAX_DRAIN_MILLIS = 10_000;
@@ -51,9 +51,9 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * A new board, plugged in as {@code sim:name}.
+     * Creates a board and plugs it in at the port {@code sim:name}.
      *
-     * @throws IllegalStateException if a board of that name is plugged in
+     * @throws IllegalStateException if another board with this name is plugged in
      */
     public static FakeBoard plugIn(String name) {
         FakeBoard board = new FakeBoard(name, LineClock.system());
@@ -62,7 +62,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * A new board that is not plugged in and uses {@code clock}. The caller runs its {@link #program} on a line of this clock.
+     * Creates a board that is not plugged in. The caller runs the board's {@link #program} on a line that uses {@code clock}.
+     *
      * @param name the board's name in messages
      */
     public static FakeBoard unplugged(String name, LineClock clock) {
@@ -74,36 +75,39 @@ public final class FakeBoard implements AutoCloseable {
         return SimulatedBoards.SCHEME + ':' + name;
     }
 
-    /** The board's program, for a test that runs it at the end of another line, such as a pseudo-terminal. */
+    /** Returns the board's program. A test can run the program on another line, such as a pseudo-terminal. */
     public SimulatedBoard program() {
         return sketch;
     }
 
-    /** Sets how the board handles a message, in place of an earlier rule for the same message. */
+    /** Sets how the board handles a message. Replaces an earlier rule for the message. */
     public Rule whenAsked(String message) {
         return script.rule(message, message::equals);
     }
 
-    /** Sets how the board handles messages of a kind. A rule for one message precedes; of several rules for kinds the earliest applies. */
+    /**
+     * Sets how the board handles messages of a kind. A rule for one message takes precedence over rules for kinds. If several rules for
+     * kinds cover a message, the earliest rule applies.
+     */
     public Rule whenAsked(Predicate<String> kind) {
         return script.rule(null, kind);
     }
 
-    /** Expects a message once; after two calls, twice. */
+    /** Expects a message once. A test that expects a message twice calls this twice. */
     public FakeBoard expect(String message) {
         record.expect(message);
         return this;
     }
 
-    /** Accepts that unexpected messages come, and that expected messages do not come. */
+    /** Makes the board accept unexpected messages and the absence of expected messages. */
     public FakeBoard lenient() {
         strict = false;
         return this;
     }
 
     /**
-     * Sets how many received messages a busy board holds; a further message overwrites the oldest, see {@link #overwritten}. Boards in the
-     * field hold one message. Frames of version 2 never count as overwritten, since the computer repeats them.
+     * Sets how many received messages a busy board holds. A further message overwrites the oldest, see {@link #overwritten}. Real version
+     * 1 boards hold one message. Frames of version 2 never count as overwritten: the computer repeats them.
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
@@ -115,9 +119,9 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board speak version 2 with computers that speak it, and version 1 with others. In version 2 the board acknowledges each
-     * command after handling it, and handles a repeated command only once. Answers may be longer than a frame. The answer to a command goes
-     * out as unasked percepts. Call this before the port is opened.
+     * Lets the board speak version 2 with computers that speak version 2, and version 1 with others. In version 2 the board acknowledges
+     * each command after handling it, and handles a repeated command only once. Answers may be longer than a frame. The board sends its
+     * answer to a command as unasked percepts. Call this before the port is opened.
      */
     public FakeBoard version2() {
         sketch.protocol = Protocol.AUTO;
@@ -125,7 +129,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary computers check no command.
+     * Sets the actions that the board reports to computers of version 2. By default the board reports none, and computers check no
+     * command.
      * @param actions {@code ledOn}; {@code speed/1}, with one argument; {@code say/*}, with any number of arguments
      */
     public FakeBoard knows(String... actions) {
@@ -136,7 +141,7 @@ public final class FakeBoard implements AutoCloseable {
     /**
      * Lets the board describe its percepts to computers of version 2.
      *
-     * @param kinds as {@link PerceptKind#parse} reads them: {@code dist(front|left, cm 0..400)}
+     * @param kinds the kinds, in the syntax of {@link PerceptKind#parse}: {@code dist(front|left, cm 0..400)}
      */
     public FakeBoard perceives(String... kinds) {
         sketch.kinds = Arrays.stream(kinds).map(PerceptKind::parse).toList();
@@ -154,8 +159,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board of version 2 watch at most {@code rules} critical rules; 0 by default. Every 5 ms, or in each round of a slower
-     * {@linkplain #loopTakes loop}, the board compares the rules with its answer to {@code getPercepts}. The board handles and records a
+     * Lets the board of version 2 watch at most {@code rules} critical rules; 0 by default. The board compares the rules with its answer
+     * to {@code getPercepts} every 5 ms, or once per {@linkplain #loopTakes loop} if the loop is slower. The board handles and records a
      * reflex like a received command. Call this before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
@@ -163,19 +168,19 @@ public final class FakeBoard implements AutoCloseable {
         return this;
     }
 
-    /** Sets how many milliseconds the board is busy with other work between two messages, like a sketch's {@code loop()}. */
+    /** Sets how many milliseconds the board is busy with other work between two messages. */
     public FakeBoard loopTakes(int millis) {
         sketch.loopMillis = millis;
         return this;
     }
 
-    /** Sets how many milliseconds the board takes to start when its port is opened; bytes that arrive in that time are lost. */
+    /** Sets how many milliseconds the board takes to start when its port is opened. The board loses bytes that arrive while it starts. */
     public FakeBoard bootTakes(int millis) {
         sketch.bootMillis = millis;
         return this;
     }
 
-    /** Stops the board from reading: bytes wait until {@link #resume}. */
+    /** Stops the board from reading. Bytes wait on the line until {@link #resume}. */
     public void stall() {
         sketch.stall(true);
     }
@@ -186,7 +191,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Sends a message unasked, in the protocol version of the last message to the board.
+     * Sends a message unasked. Uses the protocol version of the last message that the board received.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -195,7 +200,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts bytes on the line unchanged, such as noise or half a frame.
+     * Writes bytes to the line unchanged, such as noise or half a frame.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -204,7 +209,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts a frame of version 2 on the line, in the current session: one that the board would not send by itself.
+     * Writes a frame of version 2 to the line, in the current session.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -212,7 +217,7 @@ public final class FakeBoard implements AutoCloseable {
         sketch.write(frame);
     }
 
-    /** Pulls the plug: the port is gone for its owner, and cannot be opened. */
+    /** Unplugs the board. The port is gone for its owner, and cannot be opened. */
     public void unplug() {
         SimulatedBoards.unplug(name);
     }
@@ -220,13 +225,13 @@ public final class FakeBoard implements AutoCloseable {
     /**
      * Plugs the board in again.
      *
-     * @throws IllegalStateException if a board of that name is plugged in
+     * @throws IllegalStateException if another board with this name is plugged in
      */
     public void replug() {
         SimulatedBoards.plugIn(name, sketch);
     }
 
-    /** Waits until somebody has the port open; fails after {@code timeoutMillis}. */
+    /** Waits until a program has the port open. Fails after {@code timeoutMillis}. */
     public void awaitOpen(int timeoutMillis) {
         sketch.awaitOpen(timeoutMillis);
     }
@@ -235,36 +240,37 @@ public final class FakeBoard implements AutoCloseable {
         return record.received();
     }
 
-    /** The messages that the board has handled so far, each with its time. */
+    /** Returns the messages that the board has handled so far, each with its time. */
     public List<ReceivedMessage> receivedMessages() {
         return record.receivedMessages();
     }
 
-    /** The messages that later messages overwrote before the board handled them. */
+    /** Returns the messages that later messages overwrote before the board handled them. */
     public List<String> overwritten() {
         return record.overwritten();
     }
 
     /**
-     * Takes the next message that no rule covers; waits for one if necessary.
+     * Takes the next message that no rule covers. If there is none, waits for one.
      *
      * @param timeoutMillis milliseconds to wait at most
-     * @throws AssertionError if no such message came; lists the messages that came
+     * @throws AssertionError if no message came that no rule covers; the error lists all messages that came
      */
     public String awaitMessage(int timeoutMillis) {
         return record.take(message -> true, "a message", timeoutMillis);
     }
 
-    /** Like {@link #awaitMessage(int)}, but takes only {@code message}; other messages stay. */
+    /** Like {@link #awaitMessage(int)}, but takes only {@code message}. Other messages stay. */
     public void awaitMessage(String message, int timeoutMillis) {
         record.take(message::equals, '"' + message + '"', timeoutMillis);
     }
 
     /**
-     * Waits until the board has received everything that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms. Does not wait for a
-     * {@linkplain #stall stalled} board. After the wait, fails if a message was surprising, missing or lost, unless the board is lenient.
+     * Waits at most {@value #MAX_DRAIN_MILLIS} ms until the board has received all bytes sent to it. Does not wait for a
+     * {@linkplain #stall stalled} board. Then fails if a message was surprising, missing or lost. Does nothing if the board is
+     * {@linkplain #lenient lenient}.
      *
-     * @throws AssertionError that lists the faults and all messages received
+     * @throws AssertionError with the faults and all messages received
      */
     public void verify() {
         if (strict) {
@@ -283,26 +289,26 @@ public final class FakeBoard implements AutoCloseable {
         }
     }
 
-    /** Tells how a board handles a message: answers after a delay, or stays silent. */
+    /** A rule that tells how the board handles a message. */
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
         volatile int outcomeMillis; // 0: the outcome is known at once
         volatile UnaryOperator<String> answer = message -> null;
         volatile Supplier<String> sensors = () -> "";
-        volatile byte[] raw; // bytes sent in place of an answer; null: none
+        volatile byte[] raw; // bytes sent in place of an answer, or null
 
         Rule() {}
 
-        /** Lets the board take {@code millis} milliseconds before it answers. In that time the board does nothing else. */
+        /** Lets the board take {@code millis} milliseconds before it answers. The board does nothing else in that time. */
         public Rule after(int millis) {
             delayMillis = millis;
             return this;
         }
 
         /**
-         * Answers with these messages in turn, and repeats the last one. The board compares the rules that it
-         * {@linkplain FakeBoard#holdsRules holds} with the next answer.
+         * Answers with these messages in turn, then repeats the last message. If the board {@linkplain FakeBoard#holdsRules holds rules},
+         * it compares them with the next answer.
          */
         public Rule answer(String first, String... next) {
             FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);
@@ -310,8 +316,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function for each
-         * message, and every few milliseconds while the board watches rules.
+         * Answers with the result of {@code answer} for the message. If the result is null, gives no answer. The board's thread calls the
+         * function for each message. While the board watches rules, its thread also calls the function every few milliseconds.
          */
         public Rule answer(UnaryOperator<String> answer) {
             return answer(answer, () -> answer.apply(PerceptsRequest.ALL));
@@ -320,7 +326,7 @@ public final class FakeBoard implements AutoCloseable {
         /**
          * Like {@link #answer(UnaryOperator)}.
          *
-         * @param sensors gives the percepts to compare with the board's rules, every few milliseconds
+         * @param sensors returns the percepts that the board compares with its rules; called every few milliseconds
          */
         public Rule answer(UnaryOperator<String> answer, Supplier<String> sensors) {
             this.answer = answer;
@@ -336,7 +342,7 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Until the
+         * Lets the board of version 2 report the outcome of the command {@code millis} milliseconds after it began the command. Until the
          * report, the board answers requests but carries out no other command.
          */
         public Rule outcomeAfter(int millis) {
@@ -349,7 +355,7 @@ public final class FakeBoard implements AutoCloseable {
             return answer(message -> null, () -> "");
         }
 
-        /** Refuses the message, like an unknown command; in version 1 the board stays silent. */
+        /** Refuses the message like an unknown command. In version 1 the board stays silent. */
         public Rule refuse() {
             refused = true;
             return this;

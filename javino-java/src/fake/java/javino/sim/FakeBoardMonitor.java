@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javino.LineClock;
 
-/** The lock of a {@link FakeBoard}, with which threads wait for changes of the board's state, by the line's clock. Safe on any thread. */
+/** The lock of a {@link FakeBoard}. Threads wait for changes of the board's state. Safe on any thread. */
 final class FakeBoardMonitor {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -33,12 +33,12 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. Calls {@code reached} under the lock about every millisecond, since its result may depend on
-     * state that the lock does not guard.
+     * Waits until {@code reached} is true. Calls {@code reached} under the lock about every millisecond: its result may depend on state
+     * that the lock does not guard.
      *
      * @param what completes "interrupted while ..."
      * @return false if {@code reached} is still false after {@code timeoutMillis}
-     * @throws AssertionError if the thread is interrupted, as it then remains
+     * @throws AssertionError if the thread is interrupted; the thread stays marked as interrupted
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {
         lock.lock();
@@ -60,7 +60,7 @@ final class FakeBoardMonitor {
         }
     }
 
-    /** Waits while {@code held} is true; returns whether {@code held} was true at first. */
+    /** Waits while {@code held} is true. Returns whether there was a wait. */
     boolean awaitWhile(BooleanSupplier held) throws InterruptedException {
         lock.lockInterruptibly();
         try {

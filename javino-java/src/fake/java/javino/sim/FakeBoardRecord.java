@@ -7,10 +7,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javino.LineClock;
 
-/**
- * The messages that a {@link FakeBoard} received. A list of its own has those that no rule, expectation or test accounts for. Safe on any
- * thread.
- */
+/** Records the messages that a {@link FakeBoard} received. Safe on any thread. */
 final class FakeBoardRecord {
     private final String port;
     private final FakeBoardMonitor monitor; // guards the lists
@@ -18,7 +15,7 @@ final class FakeBoardRecord {
     private final long madeNanos;
     private final List<ReceivedMessage> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
-    private final List<String> unaccounted = new ArrayList<>(); // not covered by a rule, not expected, not taken yet
+    private final List<String> unaccounted = new ArrayList<>();
     private final List<String> expected = new ArrayList<>();
 
     FakeBoardRecord(String port, FakeBoardMonitor monitor, LineClock clock) {
@@ -32,7 +29,6 @@ final class FakeBoardRecord {
         monitor.locked(() -> unaccounted.remove(message) || expected.add(message));
     }
 
-    /** @param covered whether a rule covers the message */
     void received(String message, boolean covered) {
         monitor.locked(() -> {
             received.add(new ReceivedMessage(message, clock.nanos()));
@@ -57,7 +53,7 @@ final class FakeBoardRecord {
         return monitor.locked(() -> List.copyOf(overwritten));
     }
 
-    /** Takes the first unaccounted message that is {@code wanted}; {@code what} describes the wanted message to a person. */
+    /** Takes the first unaccounted message that matches {@code wanted}. A failure message quotes {@code what}. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
         List<String> taken = new ArrayList<>();
         boolean came = monitor.await(

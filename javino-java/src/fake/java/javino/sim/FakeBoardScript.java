@@ -11,12 +11,12 @@ import javino.Frame;
 final class FakeBoardScript {
     private record Entry(String message, Predicate<String> kind, FakeBoard.Rule rule) {}
 
-    private volatile List<Entry> entries = List.of(); // entries for one message come first
+    private volatile List<Entry> entries = List.of(); // rules for one message come before rules for kinds
 
     /**
      * Adds a rule.
      *
-     * @param message the only message that the rule covers; null: there are several
+     * @param message the only message that the rule covers, or null for a rule for a kind
      */
     synchronized FakeBoard.Rule rule(String message, Predicate<String> kind) {
         Entry entry = new Entry(message, kind, new FakeBoard.Rule());
@@ -38,7 +38,7 @@ final class FakeBoardScript {
                 .findFirst();
     }
 
-    /** Gives answers in turn, and repeats the last one. Safe on any thread. */
+    /** Returns answers in turn, then repeats the last one. Safe on any thread. */
     static final class InTurn {
         private final List<String> answers;
         private final AtomicInteger turn = new AtomicInteger();
@@ -49,10 +49,9 @@ final class FakeBoardScript {
             answers = List.copyOf(all);
             answers.stream()
                     .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
-                    .forEach(Frame::of); // so that a text that fits into no frame fails early, in the test's call
+                    .forEach(Frame::of); // throws now, in the test's call, if the text fits into no frame
         }
 
-        /** Returns the answer whose turn it is. */
         String current() {
             return answers.get(turn.get());
         }

@@ -13,11 +13,11 @@ import javino.Transport;
 import javino.wire.BoardAction;
 import javino.wire.WireFrame;
 
-/** The program that runs on a {@link FakeBoard}: reads a message, follows the script, and begins again. */
+/** The program that a {@link FakeBoard} runs. */
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
 
-    // explained by the methods of FakeBoard that set these fields
+    // set by methods of FakeBoard
     volatile int queueSize = Integer.MAX_VALUE;
     volatile int loopMillis;
     volatile int bootMillis;
@@ -31,10 +31,9 @@ final class FakeBoardSketch implements SimulatedBoard {
     private final FakeBoardMonitor monitor;
     private final LineClock clock;
     private final String port;
-    private BoardLoop open; // guarded by the monitor, as is stalled
+    private BoardLoop open; // guarded by the monitor, like stalled
     private boolean stalled;
 
-    /** @param port the port's name, for exceptions */
     FakeBoardSketch(
             String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
         this.port = port;
@@ -69,7 +68,7 @@ final class FakeBoardSketch implements SimulatedBoard {
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            // by now the board may be plugged in and opened again
+            // another run may have set open by now
             monitor.locked(() -> open = open == loop ? null : open);
         }
     }
@@ -81,11 +80,10 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    /** One run, from the opening of the port to its end. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
-        private FakeBoard.Rule begun; // the rule of the action whose outcome is reported later; null: none
-        private long action; // the number of that action; 0: not known yet
+        private FakeBoard.Rule begun; // rule of the action whose outcome is not reported yet, or null
+        private long action; // number of the begun action, or 0 if the session has not numbered it yet
         private long dueNanos;
 
         Run(Transport line) {
@@ -111,7 +109,7 @@ final class FakeBoardSketch implements SimulatedBoard {
             }
             if (rule != null
                     && rule.outcomeMillis > 0
-                    && begun == null) { // a reflex may be carried out while an action is open
+                    && begun == null) { // a reflex can run while another action is open
                 begun = rule;
                 action = 0;
                 dueNanos = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(rule.outcomeMillis);
@@ -120,7 +118,7 @@ final class FakeBoardSketch implements SimulatedBoard {
             return rule != null && rule.refused ? Outcome.REFUSED : Outcome.DONE;
         }
 
-        /** Reports the outcome of the open action, if its time has come. */
+        /** Reports the outcome of the begun action, if the outcome is due. */
         void report() throws PortException, InterruptedException {
             if (begun == null) {
                 return;
@@ -154,11 +152,11 @@ final class FakeBoardSketch implements SimulatedBoard {
                     .orElse("");
         }
 
-        /** Records a message and finds its rule; null: no rule covers it. */
+        /** Records a message. Returns the message's rule, or null if no rule covers it. */
         private FakeBoard.Rule begin(String message) {
             FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
             record.received(message, rule != null);
-            loop.markHandled(); // done last: now a test may look at the received messages
+            loop.markHandled(); // last: from here on a test may read the received messages
             return rule;
         }
 
@@ -205,10 +203,6 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    /**
-     * Waits until the board has received all bytes sent to it. Does not wait if the board is stalled or does not run.
-     * @param starting whether the board's thread is alive, so that this program runs or is about to run
-     */
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);
         int silences = first == null ? 0 : first.silences();

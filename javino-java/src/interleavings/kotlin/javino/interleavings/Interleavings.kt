@@ -9,29 +9,29 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /**
- * Runs [block], which calls [concurrently], in many interleavings of its threads. The system property `argo.interleavings` is the number of
- * interleavings. Fails at the first interleaving in which [block] throws or its threads deadlock, and shows that interleaving.
+ * Runs [block], which calls [concurrently], in many interleavings of its threads. The system property `argo.interleavings` is the number
+ * of interleavings. Fails at the first interleaving in which [block] throws or its threads deadlock, and shows that interleaving.
  *
- * The block first runs once unchecked, so that the loading of classes is not part of the check.
+ * Runs the block once before the check, so the check does not include class loading.
  *
- * @param divisor the number by which the number of interleavings is divided, for a long block
+ * @param divisor divides the number of interleavings, for a long block
  */
 internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     block()
     checked = block
     val options = ModelCheckingOptions()
-        .iterations(0) // no random scenarios, only the one below
+        .iterations(0) // no random scenarios
         .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 20) / divisor))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
-        .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself
+        .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // [CheckedBlock.holds] verifies the result
         .addCustomScenario { parallel { thread { actor(CheckedBlock::run) } } }
-    // A busy machine needs more than the default of 30 s to instrument the classes of the first invocation.
+    // With the default timeout of 30 s, a busy machine fails to instrument the classes of the first invocation.
     options.javaClass.getMethod("invocationTimeout\$lincheck", Long::class.java).invoke(options, 600_000L)
     options.check(CheckedBlock::class.java)
 }
 
-/** Runs all of [work] at once, each function on a thread of its own. Returns when all have ended; throws the exception of a failed one. */
+/** Runs each function of [work] on its own thread. Returns when all have ended. Throws the exception of a function that failed. */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()
@@ -49,13 +49,12 @@ internal fun concurrently(vararg work: () -> Unit) {
 }
 
 /**
- * The most rounds of a loop that waits for no other thread. After this number of rounds Lincheck lets another thread run. With the default
- * of ten, Lincheck would take a loop over a frame's bytes for a waiting loop, and stop exploring. A thread that really waits makes this
- * number of rounds before another runs, so a higher number costs time.
+ * The number of loop iterations after which Lincheck lets another thread run. With the default of ten, Lincheck takes a loop over a
+ * frame's bytes for a waiting loop and stops exploring. A higher number makes each wait slower.
  */
 private const val LONGEST_LOOP = 40
 
-/** Packages whose classes only one thread at a time uses: Lincheck switches no threads in them. */
+/** Packages in which Lincheck switches no threads: only one thread at a time uses their classes. */
 private val ATOMIC = listOf(
     "jason.", "argo.filters.", "javino.session.", "javino.sim.", "javino.wire.", "kotlin.collections.", "kotlin.text.",
 )

@@ -12,7 +12,10 @@ final class ActionCheck {
 
     private ActionCheck() {}
 
-    /** Returns a reason, in words, why a board with these actions would refuse the command; null: it would not. */
+    /**
+     * Returns the reason, in words, why a board with these actions would refuse the command. Returns null if the board would take the
+     * command.
+     */
     static String trouble(String command, List<BoardAction> actions) {
         if (actions.isEmpty()) {
             return null;
@@ -25,7 +28,7 @@ final class ActionCheck {
         int arguments = term.arguments().size();
         BoardAction known = null;
         for (BoardAction action : actions) {
-            known = action.name().equals(name) ? action : known; // of several actions of one name the newest counts
+            known = action.name().equals(name) ? action : known; // if several actions have one name, the last one counts
         }
         if (known == null) {
             return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "
@@ -37,7 +40,9 @@ final class ActionCheck {
     }
 
     /**
-     * Says in words why a board may have refused the command. {@code actions} is empty if the board has registered no actions.
+     * Returns the likely reason, in words, why a board has refused the command.
+     *
+     * @param actions the board's registered actions; empty if there are none
      */
     static String refusal(String command, List<BoardAction> actions) {
         if (!PerceptTerm.isClosed(command)) {

@@ -3,22 +3,22 @@ package javino.link;
 import javino.wire.ReflexOutcome;
 
 /**
- * Receives reports that a version 2 board sends of its own accord. Methods are called on the thread that reads the line, outside of any
- * lock. They must return soon, and must not throw.
+ * Receives the reports that a version 2 board sends on its own. The thread that reads the line calls the methods and holds no lock. The
+ * methods must return quickly and must not throw.
  */
 public interface BoardListener {
     /**
-     * A rule on the board has begun to be met.
+     * Called when percepts on the board begin to match a rule.
      *
      * @param rule the rule's number, 1 to 255
      * @param outcome the outcome of the rule's reflex
-     * @param percept the text of the first percept that meets the rule, with its {@code ;}
+     * @param percept the text of the first matching percept, with its {@code ;}
      * @param receivedNanos time at which the last byte of the report was read, by the link's clock
      */
     void critical(int rule, ReflexOutcome outcome, String percept, long receivedNanos);
 
     /**
-     * A session has begun: the board holds no rule, so all rules have to be set again.
+     * Called when a session has begun. The board then holds no rule, so the listener must set all rules again.
      *
      * @param rules number of rules that the board can hold
      */

@@ -6,9 +6,9 @@ import javino.PerceptTerm;
 import javino.session.SessionCommand;
 import javino.wire.CommandItem;
 
-/** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
+/** A command from its submission to its outcome. The lock of the command's {@link FrameWriter} guards its state. */
 final class Command implements SessionCommand {
-    /** The progress of a command. Only a waiting command can be withdrawn; a command that has begun goes out. */
+    /** The progress of a command. Only a waiting command can be withdrawn. */
     private enum State {
         WAITING,
         BEGUN,
@@ -16,7 +16,7 @@ final class Command implements SessionCommand {
     }
 
     private final Frame frame;
-    private final CommandItem.Rule rule; // null: the command is a text for the board's program
+    private final CommandItem.Rule rule; // null for a text command
     private final SendOptions options;
     private final long submittedAt;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
@@ -24,12 +24,11 @@ final class Command implements SessionCommand {
     private long number;
     private long beganBehind;
 
-    /** @param now time of the command's submission, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
         this(frame, null, options, now);
     }
 
-    /** A command that changes the board's rules; only version 2 can carry it. */
+    /** Creates a command that changes the board's rules. Only version 2 can carry it. */
     Command(CommandItem.Rule rule, SendOptions options, long now) {
         this(Frame.of("rule " + (int) rule.text().charAt(0)), rule, options, now);
     }
@@ -41,7 +40,10 @@ final class Command implements SessionCommand {
         submittedAt = now;
     }
 
-    /** The command's frame in version 1. Version 1 cannot carry a {@link #rule}; the frame then only serves for its text and length. */
+    /**
+     * Returns the command's frame in version 1. Version 1 cannot carry a {@link #rule}: the frame of a rule only provides a text and a
+     * length.
+     */
     Frame frame() {
         return frame;
     }
@@ -64,7 +66,7 @@ final class Command implements SessionCommand {
         return submittedAt;
     }
 
-    /** Records this command's number among all submitted commands: the first has number 1. */
+    /** Records this command's number. Commands are numbered from 1 in the order of their submission. */
     void submitted(long count) {
         number = count;
     }
@@ -92,7 +94,7 @@ final class Command implements SessionCommand {
         return PerceptTerm.of(text()).functor();
     }
 
-    /** The command's outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */
+    /** Returns the command's outcome. Complete the future outside of any lock: its dependents run on the completing thread. */
     CompletableFuture<Void> outcome() {
         return outcome;
     }
@@ -106,18 +108,22 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks the command as begun, after {@code bytes} bytes were written to the line. The command must be waiting. */
+    /**
+     * Marks the waiting command as begun.
+     *
+     * @param bytes number of bytes written to the line before the command
+     */
     void begin(long bytes) {
         state = State.BEGUN;
         beganBehind = bytes;
     }
 
-    /** Bytes that were written to the line before this command began to go out. */
+    /** Returns the number of bytes written to the line before this command. */
     long beganBehind() {
         return beganBehind;
     }
 
-    /** Withdraws the command, so that it never goes out. Does nothing if the command has begun. */
+    /** Withdraws the command: it is never sent. Does nothing if the command has begun. */
     void withdraw() {
         if (state == State.WAITING) {
             state = State.WITHDRAWN;

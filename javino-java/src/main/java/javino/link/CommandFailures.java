@@ -9,7 +9,7 @@ import javino.session.CommandOutcome;
 import javino.session.ComputerSession;
 import javino.wire.CommandItem;
 
-/** Tells a person why a board has not carried out a command. Guarded by the line's lock. */
+/** Explains why a board has not carried out a command. Guarded by the line's lock. */
 final class CommandFailures {
     private final String port;
     private final ComputerSession<Command> session;
@@ -19,7 +19,7 @@ final class CommandFailures {
         this.session = session;
     }
 
-    /** The exception for an outcome; null: the board has carried the command out. */
+    /** Returns the exception for an outcome, or null if the board has carried the command out. */
     PortException of(Command command, CommandOutcome outcome) {
         String text = command.text();
         return switch (outcome) {

@@ -17,13 +17,13 @@ import javino.Transport;
 import javino.wire.CommandItem;
 
 /**
- * Sends the queued commands of a line, on the threads that call {@link #run} and {@link #sendAndAwait}. Each free thread takes the next
- * command, even one of another thread. If the line is free, the submitting thread writes its command at once. The thread that learns an
- * outcome reports it, outside of any lock. If a listener of an outcome throws, no thread ends.
+ * Sends the queued commands of a line on the threads that call {@link #run} and {@link #sendAndAwait}. Each of these threads sends any
+ * thread's next command. If the line is free, the submitting thread writes its command at once. The thread that first sees an outcome
+ * reports it, and holds no lock. An exception of an outcome's listener ends no thread.
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
-    /** The most milliseconds that a command waits while no command gets through, and then for the driver to take its bytes. */
+    /** The longest wait of a command, in milliseconds, while no command gets through. Also the longest wait for the driver. */
     static final int STUCK_MILLIS = 5000;
 
     private static final long STUCK_NANOS = TimeUnit.MILLISECONDS.toNanos(STUCK_MILLIS);
@@ -34,7 +34,7 @@ final class CommandLoop {
     private final SessionLine line;
     private final LineClock clock;
     private final Monitor.Change<PortException> start;
-    private Long toldNanos; // the line's movedNanos() when it was last logged that no command gets through
+    private Long toldNanos; // line.movedNanos() at the last warning that no command gets through
 
     /** @param start waits until a command may be sent to the board */
     CommandLoop(
@@ -52,7 +52,7 @@ final class CommandLoop {
         this.start = start;
     }
 
-    /** Queues a command, and writes it at once if that needs no wait; see {@link Link#send(String, SendOptions)}. */
+    /** Queues a command. Writes it at once if no wait is needed; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
         return submit(new Command(frame, options, clock.nanos()), options);
     }
@@ -80,7 +80,7 @@ final class CommandLoop {
             queue(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
-        } catch (PortException | RuntimeException | Error unforeseen) { // whatever a transport throws
+        } catch (PortException | RuntimeException | Error unforeseen) { // a transport may throw anything
             fail(command, unforeseen);
         }
         if (options.limitMillis() > 0 && !command.isOver()) {
@@ -90,7 +90,10 @@ final class CommandLoop {
         return command;
     }
 
-    /** Queues a command. If the line is free, begins the command under the same lock and writes it here, so no thread wakes for it. */
+    /**
+     * Queues a command. If the line is free, begins the command under the same lock and writes it on this thread. No other thread has to
+     * wake.
+     */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
         SessionLine.Outgoing frame = monitor.get(() -> {
@@ -115,7 +118,7 @@ final class CommandLoop {
         }
     }
 
-    /** Sends a request to a board of version 1, if the next command may only follow a request. */
+    /** If the next command of version 1 needs a request before it, sends the request. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;
@@ -125,12 +128,12 @@ final class CommandLoop {
             line.hasAsked();
         } catch (PortTimeoutException
                 | RuntimeException
-                | Error trouble) { // thrown by a transport, except for the timeout; later commands still go out
+                | Error trouble) { // a transport may throw anything; later commands still go out
             fail(writer.withdrawNext(), trouble);
         }
     }
 
-    /** The time at which waiting commands are given up, unless a command gets through earlier. */
+    /** Returns the time at which waiting commands fail if no command gets through. */
     private long patienceEnds() {
         long now = clock.nanos();
         if (writer.head() == null) {
@@ -210,7 +213,7 @@ final class CommandLoop {
                         + "\" took its place, so it was not sent");
     }
 
-    /** Withdraws a command whose time is over, unless it has begun to go out. Returns the exception with which the command fails. */
+    /** Handles a command whose time limit has ended. Withdraws the command if it has not begun. Returns the exception for the command. */
     private PortException timeOver(Command command) {
         String subject = '"' + command.text() + '"';
         return writer.withdraw(command)
@@ -224,7 +227,7 @@ final class CommandLoop {
                                 + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
-    /** Fails the commands that wait or are on their way: the line is gone for {@code reason}. */
+    /** Fails all unfinished commands, because the line is gone. */
     void failAll(String reason) {
         writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
         line.abandon(new PortGoneException(port, reason));

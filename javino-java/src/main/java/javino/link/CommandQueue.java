@@ -7,15 +7,17 @@ import java.util.Queue;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
+/** The commands that wait for a line: urgent ones first, else in the order of submission. Guarded by its user's lock. */
 final class CommandQueue {
-    // commands are removed at the front, and added also in the middle
+    // the queue also inserts in the middle
     private final LinkedList<Command> urgent = new LinkedList<>();
     private final LinkedList<Command> ordinary = new LinkedList<>();
     private long submitted;
     private long finished;
 
-    /** Queues a command, in place of the first equally urgent command that it replaces, if any. Returns all replaced commands. */
+    /**
+     * Queues a command. The command takes the place of the first equally urgent command that it replaces. Returns all replaced commands.
+     */
     List<Command> add(Command command) {
         List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
         List<Command> its = command.isUrgent() ? urgent : ordinary;
@@ -59,7 +61,7 @@ final class CommandQueue {
         return finished >= count;
     }
 
-    /** Returns whether none of the first {@code count} submitted commands still waits. */
+    /** Returns whether no waiting command is among the first {@code count} submitted commands. */
     boolean haveBegun(long count) {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }

@@ -16,19 +16,18 @@ import javino.Transport;
 import javino.session.WaitingCommands;
 
 /**
- * Decides whose turn it is among a line's commands and requests, waits as the {@link Pacer} says, and writes the frames. A
- * {@link SessionLine} takes the commands from this writer. In version 1 requests go out before waiting commands. Safe on any thread; no
- * lock is held while bytes are written.
+ * Writes the frames of a line. Decides which command or request is next, and waits as long as the {@link Pacer} requires. In version 1,
+ * requests go out before waiting commands. Safe on any thread. Holds no lock while bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
-    /** The kinds of frames that the pacer tells apart: actions and requests of version 1, and frames of version 2. */
+    /** The kinds of frames for the pacer: actions and requests of version 1, and any frame of version 2. */
     enum Kind {
         ACTION,
         REQUEST,
         SESSION
     }
 
-    /** Makes a frame right before the frame is written; null: there is nothing to write any more. */
+    /** Makes a frame right before the write. Returns null if nothing needs to be written. */
     interface Content {
         byte[] make() throws PortException;
     }
@@ -41,12 +40,12 @@ final class FrameWriter implements WaitingCommands<Command> {
     private final LineClock clock;
     private final Pacer pacer;
     private boolean isWriting;
-    private int turnsAwaited; // number of requests and HELLOs that wait for their turn
+    private int turnsAwaited; // number of requests and HELLOs that wait to be written
     private volatile long outcomeNanos;
     private long writtenBytes;
     private long readBytes; // number of written bytes that the far end has certainly read
-    private final AtomicBoolean isRefused = new AtomicBoolean(); // true: the driver did not take the last frame in time
-    private String endReason; // null while the line is there
+    private final AtomicBoolean isRefused = new AtomicBoolean(); // whether the driver timed out on the last frame
+    private String endReason; // null while the line is open
 
     FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
         this.monitor = monitor;
@@ -63,7 +62,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Withdraws a command; returns false if the command has begun to go out. */
+    /** Withdraws a command. Returns false if the command has begun to go out. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
@@ -98,8 +97,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This holds until the lock is given
-     * back, so the thread begins the frame before, with {@link #beginFrame}. The caller holds the monitor's lock.
+     * Returns whether a thread can write a frame without waiting; see {@link Transport#isWritableNow}. The caller holds the monitor's
+     * lock. The result holds until the lock is released, so call {@link #beginFrame} before.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();
@@ -113,12 +112,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> writtenBytes);
     }
 
-    /** Records that the far end has certainly read the first {@code bytes} of all {@link #written} bytes. */
+    /** Records that the far end has certainly read the first {@code bytes} of the {@link #written} bytes. */
     void provedRead(long bytes) {
         monitor.change(() -> readBytes = Math.max(readBytes, bytes));
     }
 
-    /** Nanoseconds until the next waiting command may be written, in version 1. The caller holds the monitor's lock. */
+    /** Returns the nanoseconds until the next waiting command of version 1 may be written. The caller holds the monitor's lock. */
     long nanosUntilCommand() {
         Command next = commands.head();
         if (next == null || isWriting || turnsAwaited > 0) {
@@ -129,12 +128,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         return held > 0 ? held : pacer.nanosUntilAction(next.frame().length(), now);
     }
 
-    /** Returns whether only urgent commands of version 1 are written until the board answers: see {@link Version1SilenceHold}. */
+    /** Returns whether only urgent commands of version 1 may go out until the board answers; see {@link Version1SilenceHold}. */
     boolean isHeldBack() {
         return monitor.get(() -> pacer.nanosHeld(clock.nanos()) > 0);
     }
 
-    /** Returns whether the board's {@code loop()} seems to take longer than the gap between commands: see {@link Pacer#isSlow}. */
+    /** Returns whether the board's {@code loop()} seems to be longer than the gap between commands; see {@link Pacer#isSlow}. */
     boolean isBoardSlow() {
         return monitor.get(pacer::isSlow);
     }
@@ -146,12 +145,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** The time at which the last outcome of a command was reported, or the line was opened. */
+    /** Returns the time of the last command outcome. If there is none, returns the time at which the line was opened. */
     long outcomeNanos() {
         return outcomeNanos;
     }
 
-    /** Waits, at most {@code nanos}, until the commands that have been submitted so far have ended. */
+    /** Waits at most {@code nanos} until all commands submitted so far have ended. */
     void awaitCommandsSoFar(long nanos) throws PortException {
         monitor.getInterruptibly(() -> {
             long submitted = commands.submitted();
@@ -161,20 +160,20 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Returns a condition that is true once all commands submitted before this call have begun to go out. */
+    /** Returns a condition. The condition is true once all commands submitted before this call have begun to go out. */
     BooleanSupplier commandsSoFarHaveBegun() {
         long submitted = monitor.get(commands::submitted);
         return () -> monitor.get(() -> commands.haveBegun(submitted));
     }
 
     /**
-     * Waits for its turn, ahead of waiting commands, and writes a frame.
+     * Waits until the frame may be written, ahead of waiting commands, and writes it.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis milliseconds to wait at most for the turn, in addition to the pacer's hold on a free line; the driver gets as
-     *     much time again
+     * @param timeoutMillis milliseconds to wait at most for other frames. The pacer's gap on a free line is added to this time. The
+     *     driver gets as much time again
      * @return the time, by the clock, at which the frame's last byte leaves the line
-     * @throws PortTimeoutException if the turn did not come in time, so nothing was written, or if the driver did not take the frame
+     * @throws PortTimeoutException if other frames took all the time, so nothing was written, or if the driver did not take the frame
      */
     long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
         monitor.getInterruptibly(() -> {
@@ -194,7 +193,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
-        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller cannot allow for the pacer's gap
+        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller does not know the pacer's gap
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         LongSupplier untilTurn = () -> isWriting
                 ? Monitor.FOREVER
@@ -226,16 +225,16 @@ final class FrameWriter implements WaitingCommands<Command> {
                 : "the line is busy with the messages before it, or the board takes long over them, as with delay(3000) in its loop()";
     }
 
-    /** Records that a frame goes out; {@link #writeFrame} writes it. The caller holds the monitor's lock. */
+    /** Marks the line as busy with a frame, before {@link #writeFrame}. The caller holds the monitor's lock. */
     void beginFrame() {
         isWriting = true;
     }
 
     /**
-     * Writes a frame that has begun. Gives {@code whenWritten} the time at which the frame's last byte leaves, even if the driver takes
-     * only a part. The caller does not hold the monitor's lock.
+     * Writes a frame after {@link #beginFrame}. Passes {@code whenWritten} the time at which the frame's last byte leaves, even if the
+     * write fails. The caller does not hold the monitor's lock.
      * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
-     * @return that time
+     * @return the time at which the frame's last byte leaves
      */
     long writeFrame(Kind kind, byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         long start = clock.nanos();
@@ -247,7 +246,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         try {
             transport.write(frame, 0, frame.length, waits ? timeoutMillis : 0);
         } catch (PortException | RuntimeException | Error failure) {
-            left(kind, frame.length, start, whenWritten); // some bytes may have left
+            left(kind, frame.length, start, whenWritten); // some bytes may be on the line
             if (failure instanceof PortTimeoutException refused) {
                 warnOnce(refused);
             }
@@ -285,7 +284,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return isWriting;
     }
 
-    /** Nanoseconds until a frame of version 2 may be written. The caller holds the monitor's lock. */
+    /** Returns the nanoseconds until a frame of version 2 may be written. The caller holds the monitor's lock. */
     long nanosUntilFrame() {
         return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
     }
@@ -310,17 +309,20 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records a complete message. It counts as the answer, if one is awaited; actions that waited for the answer may go out now. */
+    /**
+     * Records a complete message. If an answer is awaited, the message counts as the answer. Actions that waited for the answer may go
+     * out now.
+     */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }
 
-    /** Records that the time for the answer to a request of version 1 is over at {@code now}. */
+    /** Records at {@code now} that the answer to a request of version 1 did not come in time. */
     void unanswered(long now) {
         monitor.change(() -> pacer.unanswered(now));
     }
 
-    /** Ends the line: threads that wait here, now or later, get a {@link PortGoneException} with {@code reason}. */
+    /** Ends the line. Present and future waits throw {@link PortGoneException} with {@code reason}. */
     void end(String reason) {
         monitor.change(() -> endReason = endReason == null ? reason : endReason);
     }

@@ -4,24 +4,29 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Estimates the gap that a version 1 board needs between frames: the time from one of its reads of the line to the next. The delay of an
- * answer has two parts: the time until the board's next read, a random part of its {@code loop()}; and the time to measure and to build the
- * answer, which is about constant. So the differences between delays show how long the loop takes.
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more while there are so few delays
- * that their range may be much shorter than the loop. The range of n random delays is less than the part x of the loop with a probability
- * below n x^(n-1). If one delay is left out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this
- * probability is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until
- * {@value #MIN_SAMPLES} delays are known, the estimate is this maximum. From {@value #MANY} delays on, the longest is left out; of more
- * delays, one in {@value #OUTLIER_AMONG} at each end. So one stall of this computer does not slow commands down.
- * <p>If each request came the same time after the last answer, all requests would meet the same part of the loop. So some requests are sent
- * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
- * are nanoseconds. Guarded by its user's lock.
+ * Estimates the gap that a version 1 board needs between frames: the time between two of its reads of the line. The delay of an answer
+ * has two parts. The first part is the time until the board's next read. It varies at random within one {@code loop()}. The second part
+ * is the time to measure and to build the answer. It is about constant. The differences between delays therefore show how long the loop
+ * takes.
+ * <p>The estimate is the range of the last {@value #SAMPLES} delays times a factor of at least 2. With few delays their range may be much
+ * shorter than the loop, so the factor is larger. The range of n random delays is less than the part x of the loop with a probability
+ * below n x^(n-1). Without the longest delay, this probability is below n (n-1) x^(n-2). The factor is 1/x for the x at which this
+ * probability is one in 100,000. Sensors may also cause differences, so the estimate is at most {@value #MAX_MILLIS} ms. Until
+ * {@value #MIN_SAMPLES} delays are known, the estimate is this maximum. From {@value #MANY} delays on, the range ignores the longest
+ * delay. With many delays it ignores one in {@value #OUTLIER_AMONG} at each end. One stall of this computer therefore does not slow
+ * commands down.
+ * <p>Requests at a constant time after the last answer would all meet one part of the loop. Some requests are therefore delayed on
+ * purpose: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. These delays are spread evenly over the
+ * longest delay seen. Times are nanoseconds. Guarded by its user's lock.
  */
 final class GapEstimate {
     static final int SAMPLES = 256;
-    /** The longest estimate, also used while no loop is known: the sensors of many sketches take that long. */
+    /** The longest estimate. Also the estimate while too few delays are known. The sensors of many sketches take that long. */
     static final int MAX_MILLIS = 50;
-    /** Fewer delays prove nothing: over USB a delay is a whole number of milliseconds, so they may be equal by chance. */
+    /**
+     * The number of delays that an estimate needs. Over USB a delay is a whole number of milliseconds, so a few delays may be equal by
+     * chance.
+     */
     static final int MIN_SAMPLES = 6;
     /** The highest probability that the estimate is shorter than the loop. */
     private static final double CHANCE = 1e-5;
@@ -35,9 +40,9 @@ final class GapEstimate {
     private static final int LEARNING_REQUESTS = 32;
     private static final int PROBE_AMONG = 8;
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-    /** The multiples of this number have fractional parts that are spread evenly. */
+    /** Multiples of this number have evenly spread fractional parts. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** The delay of an answer that takes longer is ignored: the answer belongs to an earlier request. Also the longest probe delay. */
+    /** Longer delays are ignored: the answer belongs to an earlier request. Also the longest delay on purpose. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
@@ -50,7 +55,7 @@ final class GapEstimate {
     private long longest;
     private int requests;
 
-    /** Records that an answer began {@code delayNanos} after its request had left; less than 0 counts as 0. */
+    /** Records that an answer began {@code delayNanos} after its request had left. A negative delay counts as 0. */
     void answeredAfter(long delayNanos) {
         if (delayNanos > MAX_DELAY_NANOS) {
             return;
@@ -82,7 +87,7 @@ final class GapEstimate {
         count++;
     }
 
-    /** Forgets all delays: an answer is missing, so the loop may take longer than before. */
+    /** Forgets all delays. Called after a missing answer, because the loop may take longer now. */
     void forget() {
         count = 0;
         next = 0;
@@ -93,7 +98,7 @@ final class GapEstimate {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is delayed on purpose, to meet another part of the loop. */
+    /** Returns the nanoseconds by which the next request is delayed on purpose, to meet another part of the loop. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

@@ -13,17 +13,17 @@ import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Reads a line. The inbox hands on frames of version 2, and keeps messages of version 1 until a caller takes them.
- * <p>One of the waiting threads reads for all (leader and followers). When the reader's own wait ends, another thread reads.
+ * Reads a line. Passes frames of version 2 on, and keeps messages of version 1 until a caller takes them.
+ * <p>One of the waiting threads reads for all. When the reader's wait ends, another thread reads.
  */
 final class Inbox {
-    /** Receives what arrives, under the monitor's lock; times are nanoseconds of the line's clock. */
+    /** Receives what arrives, under the monitor's lock. Times are nanoseconds of the line's clock. */
     interface Listener {
         void receiving(int bytes, long now);
 
         default void received(WireFrame frame, long now) {}
 
-        /** The nonce of the session to which frames belong, see {@link WireDecoder}. */
+        /** Returns the nonce of the present session, see {@link WireDecoder}. */
         default int nonce() {
             return 0;
         }
@@ -35,14 +35,14 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** The most messages that are kept; the newest stay. A board may send messages that nobody takes. */
+    /** The most messages that are kept. Older messages are dropped, since nobody may take a board's messages. */
     static final int MAX_MESSAGES = 64;
-    /** The most reads in a row: enough to empty any driver, but not endless on a line that never rests. */
+    /** The most reads in a row. This empties any driver, and ends on a line that never rests. */
     private static final int READS = 64;
 
     private final Monitor monitor;
     private final Deque<Reply> messages = new ArrayDeque<>();
-    private final byte[] buffer = new byte[BUFFER]; // belongs to the thread that reads
+    private final byte[] buffer = new byte[BUFFER]; // used only by the thread that reads
     private final Transport transport;
     private final LineClock clock;
     private final FrameDecoder version1;
@@ -66,7 +66,9 @@ final class Inbox {
         lastByteNanos = clock.nanos();
     }
 
-    /** Returns the next message of version 1; null: none is complete by {@code deadlineNanos}, or the board speaks version 2. */
+    /**
+     * Returns the next message of version 1. Returns null if none is complete by {@code deadlineNanos}, or if the board speaks version 2.
+     */
     Reply next(long deadlineNanos) throws PortException {
         return monitor.get(() -> {
             while (true) {
@@ -94,12 +96,12 @@ final class Inbox {
         return monitor.get(() -> !messages.isEmpty());
     }
 
-    /** Reads the bytes that the line has ready, and keeps them. */
+    /** Reads the bytes that have arrived, and keeps them. */
     void look() throws PortException {
         readReady(1);
     }
 
-    /** Reads the bytes that the line has ready. Returns the newest message read now or before; null: there is none. */
+    /** Reads the bytes that have arrived. Returns the newest message and forgets the others. Returns null if there is none. */
     Reply newest() throws PortException {
         readReady(READS);
         return monitor.get(() -> {
@@ -109,7 +111,7 @@ final class Inbox {
         });
     }
 
-    /** Reads the bytes that the line has ready, and forgets all messages read now or before, unfinished ones too. */
+    /** Reads the bytes that have arrived, and forgets all messages, even unfinished ones. */
     void clear() throws PortException {
         readReady(READS);
         monitor.change(() -> {
@@ -118,7 +120,7 @@ final class Inbox {
         });
     }
 
-    /** Reads the bytes that the line has ready, with at most {@code most} reads, unless another thread reads. */
+    /** Reads the bytes that have arrived, with at most {@code most} reads. Does nothing if another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
             for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}
@@ -126,7 +128,7 @@ final class Inbox {
         });
     }
 
-    /** Records that a frame of version 1 is about to go out. If the line echoes the frame, the echo is no message. */
+    /** Records that a frame of version 1 is about to go out. An echo of the frame then does not count as a message. */
     void sends(Frame frame) {
         monitor.change(() -> {
             localEchoes.sends(frame);
@@ -134,7 +136,7 @@ final class Inbox {
         });
     }
 
-    /** The bytes since the last message of either version. */
+    /** Returns the bytes since the last message of either version. */
     StrayBytes strayBytes() {
         return monitor.get(() -> stray.soFar(transport.line().baud()));
     }
@@ -143,19 +145,19 @@ final class Inbox {
         return lastByteNanos;
     }
 
-    /** The number of frames of version 2 so far with a wrong checksum. */
+    /** Returns the number of frames of version 2 with a wrong checksum. */
     long corrupt() {
         return monitor.get(version2::corrupt);
     }
 
-    /** Returns whether a thread reads. The caller holds the monitor's lock. */
+    /** Returns whether any thread reads. The caller holds the monitor's lock. */
     boolean isBeingRead() {
         return isBeingRead;
     }
 
     /**
-     * Reads for at most {@code nanos}, or for less if an unfinished frame must be given up earlier. The caller holds the monitor's lock
-     * exactly once; the lock is released while bytes are awaited. Call this only if no thread {@link #isBeingRead reads}.
+     * Reads for at most {@code nanos}. Stops earlier if an unfinished frame must be given up. The caller holds the monitor's lock exactly
+     * once. The lock is released during the read. Call this only if no thread {@link #isBeingRead reads}.
      */
     int readFor(long nanos) throws PortException {
         long start = clock.nanos();
@@ -172,7 +174,7 @@ final class Inbox {
         long now = clock.nanos();
         if (count > 0) {
             accept(count, now);
-        } else { // a read without bytes proves silence only for its time limit: bytes may have come since
+        } else { // bytes may have come after the time limit, so only the limit itself was silent
             long silent = Math.min(now, start + TimeUnit.MILLISECONDS.toNanos(millis));
             version1.idle(silent);
             version2.idle(silent);

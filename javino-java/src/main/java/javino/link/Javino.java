@@ -10,33 +10,33 @@ import javino.Transports;
 /**
  * The classic interface of Javino: one call for each operation on a port. Each call returns whether it succeeded.
  *
- * <p>The first call that names a port opens the port. It stays open until {@link #close()}, since opening resets most boards. If the port's
- * device has gone, the next call opens the port anew. No call throws an exception of the line: {@link #lastError()} says why a call
- * returned false.
+ * <p>The first call that names a port opens the port. The port stays open until {@link #close()}, because opening resets most boards. If
+ * the port's device has gone, the next call opens the port again. No call throws an exception of the line. {@link #lastError()} says why
+ * a call returned false.
  *
- * <p>Javino speaks version 1 of the protocol, as older programs expect, unless the settings ask for version 2.
+ * <p>By default Javino speaks version 1 of the protocol, for older programs. Settings can ask for version 2.
  *
- * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} are about the latest call of all threads. Not final, so
- * that tests can use a subclass.
+ * <p>Any thread may call. {@link #getData()} and {@link #lastError()} are about the latest call of all threads. Not final, so tests can
+ * use a subclass.
  */
 public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
 
     private final ReentrantLock opening = new ReentrantLock();
-    private final Map<String, Link> links = new HashMap<>(); // by the port's canonical name; guarded by opening
+    private final Map<String, Link> links = new HashMap<>(); // key: the port's canonical name; guarded by opening
     private final LinkSettings settings;
     private final boolean usualRate;
     private final int timeoutMillis;
     private volatile String data = "";
     private volatile String lastError = "";
 
-    /** Uses {@link LinkSettings#defaults()}, each port's {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
+    /** Uses {@link LinkSettings#defaults()}, the {@linkplain Transports#usualLine usual rate} of each port, and time limits of 1000 ms. */
     public Javino() {
         this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS, true);
     }
 
     /**
-     * @param settings the settings of every port that is opened; version 1 of the protocol is spoken unless they ask for version 2
+     * @param settings the settings for every port. {@link Protocol#AUTO} means version 1 here
      * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
      */
     public Javino(LinkSettings settings, int timeoutMillis) {
@@ -62,22 +62,22 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
     }
 
-    /** Waits for a message that the board sends of its own accord. Returns true when the message is in {@link #getData()}. */
+    /** Waits for a message that the board sends on its own. Returns true when the message is in {@link #getData()}. */
     public boolean listenHardware(String port) {
         return succeeds(() -> data = link(port).listen(timeoutMillis).text());
     }
 
-    /** The last message that a call received; empty: no call has received one. */
+    /** Returns the last message that a call received. Empty if no call has received one. */
     public String getData() {
         return data;
     }
 
-    /** The reason why the latest failed call returned false; empty: no call has failed. */
+    /** Returns why the latest failed call returned false. Empty if no call has failed. */
     public String lastError() {
         return lastError;
     }
 
-    /** Closes the ports that were opened. A call that names one of them opens it again. */
+    /** Closes all open ports. A later call opens its port again. */
     @Override
     public void close() {
         opening.lock();
@@ -112,7 +112,7 @@ public class Javino implements AutoCloseable {
         try {
             work.run();
             return true;
-        } catch (PortException | IllegalArgumentException e) { // the message fits into no frame
+        } catch (PortException | IllegalArgumentException e) { // IllegalArgumentException: the message fits into no frame
             lastError = e.getMessage();
             return false;
         }

@@ -7,8 +7,8 @@ import javino.Protocol;
 import javino.wire.Welcome;
 
 /**
- * Knows whether the board at the other end runs, and its version of the protocol. A board may still be starting when its port is opened.
- * Safe on any thread; the version changes under the line's lock.
+ * Tracks whether the board at the other end runs, and which version of the protocol it speaks. Opening a port may restart its board. Safe
+ * on any thread. The version changes only under the line's lock.
  */
 final class KnownBoard {
     private static final int NONE = -1;
@@ -16,15 +16,15 @@ final class KnownBoard {
     private final Monitor monitor;
     private final LineClock clock;
     private final Protocol wanted;
-    private final long startedAt; // from this time on, the board counts as running even without an answer
+    private final long startedAt; // from then on the board counts as running, even without an answer
     private volatile boolean isReady;
-    private volatile boolean hasHeard; // in version 1
+    private volatile boolean hasHeard; // a message of version 1 has come
     private volatile boolean hasSaidHello;
     private volatile Protocol protocol;
-    private volatile boolean hasLapsed; // the board fell silent in version 2, so another board may be in its place
-    private volatile int otherRevision = NONE; // the revision of version 2 that the board speaks
+    private volatile boolean hasLapsed; // the session lapsed in silence, so another board may be connected now
+    private volatile int otherRevision = NONE; // revision of version 2 that this program cannot speak
 
-    /** @param settings the link's settings; {@link LinkSettings#bootMillis()} count from now */
+    /** @param settings the link's settings; {@link LinkSettings#bootMillis()} begin now */
     KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {
         this.monitor = monitor;
         this.clock = clock;
@@ -34,7 +34,9 @@ final class KnownBoard {
         isReady = settings.bootMillis() == 0;
     }
 
-    /** Nanoseconds for which the board may still be starting; 0: the board has sent something, or must have started. */
+    /**
+     * Returns the nanoseconds for which the board may still be starting. Returns 0 if the board has sent something, or must have started.
+     */
     long nanosToStart() {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
@@ -43,7 +45,7 @@ final class KnownBoard {
         isReady = true;
     }
 
-    /** Records that the board has sent something in version 1, so that it runs. */
+    /** Records a message of version 1: the board runs. */
     void heard() {
         hasHeard = true;
         isReady = true;
@@ -57,12 +59,12 @@ final class KnownBoard {
         hasSaidHello = true;
     }
 
-    /** Returns whether HELLO has been sent: a board of version 2 would have answered. */
+    /** Returns whether HELLO has been sent. A board of version 2 would have answered. */
     boolean hasSaidHello() {
         return hasSaidHello;
     }
 
-    /** The version that is spoken; {@link Protocol#AUTO}: it is not known yet, or not known any more. */
+    /** Returns the version that is spoken. {@link Protocol#AUTO} means that it is not known. */
     Protocol protocol() {
         return protocol;
     }
@@ -83,7 +85,7 @@ final class KnownBoard {
         return hasLapsed;
     }
 
-    /** Treats the board as one of version 1 from now on, unless it answers a HELLO after all. */
+    /** Treats the board as one of version 1. A later answer to HELLO still changes the version. */
     void agreeOnVersion1() {
         monitor.change(() -> {
             hasLapsed = false;
@@ -106,14 +108,14 @@ final class KnownBoard {
         protocol = mustSpeak2() ? Protocol.V2 : Protocol.AUTO;
     }
 
-    /** Records that the board speaks a revision of version 2 that this program does not know; returns whether that was new. */
+    /** Records that the board speaks an unknown revision of version 2. Returns whether this revision is news. */
     boolean foundRevision(int revision) {
         boolean isNews = otherRevision != revision;
         otherRevision = revision;
         return isNews;
     }
 
-    /** The reason why a board that answered HELLO has no session; empty: it has a session, or did not answer. */
+    /** Returns why a board that answered HELLO has no session. Returns empty if there is a session, or if the board did not answer. */
     Optional<String> noSession() {
         int revision = otherRevision;
         if (revision == NONE) {
@@ -128,12 +130,12 @@ final class KnownBoard {
                                 + "; use a newer version of ARGO");
     }
 
-    /** Returns whether the board must be asked for something before it gets a command of version 1. */
+    /** Returns whether a request or HELLO must precede the next command of version 1. */
     boolean mustAsk() {
         return !speaks2() && (mustAnswer() || protocol == Protocol.AUTO && !hasSaidHello);
     }
 
-    /** Returns whether a command of version 1 has to wait for an answer: WELCOME is not enough. */
+    /** Returns whether a command of version 1 must wait for an answer in version 1. */
     boolean mustAnswer() {
         return nanosToStart() > 0 || protocol == Protocol.AUTO && (hasHeard || hasLapsed);
     }

@@ -4,25 +4,25 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 
-/** Collects outcomes, reports of the board and warnings under the line's lock, and passes them on outside of it. Safe on any thread. */
+/** Collects outcomes, board reports and warnings under the line's lock. Passes them on outside of the lock. Safe on any thread. */
 final class LineReports {
     private static final System.Logger LOG = System.getLogger(LineReports.class.getName());
 
     private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
-    private volatile BoardListener listener; // null: nobody is called
+    private volatile BoardListener listener;
 
     boolean isEmpty() {
         return waiting.isEmpty();
     }
 
-    /** The caller holds no lock. */
+    /** Passes all collected reports on. The caller holds no lock. */
     void passOn() {
         for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
             next.run();
         }
     }
 
-    /** @param failure null: the command was carried out */
+    /** @param failure null if the command was carried out */
     void ended(Command command, Throwable failure) {
         waiting.add(() -> {
             if (failure == null) {
@@ -47,7 +47,7 @@ final class LineReports {
             waiting.add(() -> {
                 try {
                     call.accept(called);
-                } catch (RuntimeException | Error broken) { // the thread that reads must go on
+                } catch (RuntimeException | Error broken) { // the reading thread must go on
                     LOG.log(System.Logger.Level.ERROR, "the receiver of the board's reports has failed", broken);
                 }
             });

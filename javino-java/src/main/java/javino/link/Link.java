@@ -32,22 +32,26 @@ import javino.wire.CommandItem;
 /**
  * An open port through which one owner exchanges messages with a board.
  * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one call after the other.
- * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
- * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
- * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
- * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then, a request is repeated every 250 ms, or after its
- * own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
- * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
- * twice, and after each HELLO waits 60 ms, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1
- * boards drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board arrive whole or not at all, and
- * the future of {@link #send} tells the outcome of an action.
- * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even one that waits, and the port is
- * free for another link. An interrupted call throws {@link PortInterruptedException}; the link stays usable.
+ * {@link #send} never waits: it queues a command. A thread in {@link #writeCommandsUntilClosed} sends the command. {@link LinkSettings}
+ * set the pace of frames. By default no frame goes out faster than the line or a version 1 board can take it.
+ * <p>Opening a port resets most boards, which then take a second or two to start. A link therefore asks the board until its first message
+ * has come, or until {@link LinkSettings#bootMillis()} have passed since opening. Until then, the link repeats a request every 250 ms, or
+ * after the request's own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A running board
+ * answers at once.
+ * <p>If {@link LinkSettings#protocol()} is {@link Protocol#AUTO}, the link finds out the board's version. The link sends HELLO of version
+ * 2 twice. After each HELLO it waits 60 ms, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1
+ * boards ignore HELLO, and get no frame of version 1 during these waits. A message from a version 2 board arrives whole or not at all. In
+ * version 2 the future of {@link #send} tells the outcome of an action.
+ * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even a waiting call. The port is
+ * then free for another link. An interrupted call throws {@link PortInterruptedException}, and the link stays usable.
  */
 public final class Link implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** After an answer or an outcome, no request goes out for a request's time divided by this: the agent may send commands then. */
+    /**
+     * After an answer or an outcome, no request goes out for a request's time divided by this number. The agent may send commands in this
+     * pause.
+     */
     private static final int GRACE_DIVISOR = 8;
 
     private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
@@ -61,7 +65,7 @@ public final class Link implements AutoCloseable {
     private final FrameWriter writer;
     private final SessionLine line;
     private final KnownBoard board;
-    private final RequestChannel channel; // used by the thread that holds the lock reading
+    private final RequestChannel channel; // used only by the thread that holds the lock reading
     private final CommandLoop commands;
     private volatile long exchangeNanos; // duration of the last exchange
     private volatile long answeredNanos; // end of the last exchange
@@ -72,7 +76,7 @@ public final class Link implements AutoCloseable {
         this.claim = claim;
         this.clock = clock;
         ending = clock.newLock(false);
-        reading = clock.newLock(true); // fair: a sender that waits for readiness gets its turn
+        reading = clock.newLock(true); // fair: a sender that waits for the board's start also gets the lock
         Monitor monitor = new Monitor(clock, transport.name());
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
         line = new SessionLine(monitor, transport, clock, writer, settings);
@@ -83,13 +87,13 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Opens a port. If the present owner is {@linkplain #leave leaving} the port, waits until it is free.
+     * Opens a port. If the present owner is {@linkplain #leave leaving} the port, waits until the port is free.
      *
-     * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
-     * @param owner the port's owner, in words, for {@link PortBusyException}
+     * @param port the port's name, such as {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
+     * @param owner a name for the owner, which {@link PortBusyException} shows
      * @throws NoSuchPortException if there is no such port
-     * @throws PortBusyException if another link or program has it open
-     * @throws PortPermissionException if this user may not open it
+     * @throws PortBusyException if another link or program has the port open
+     * @throws PortPermissionException if this user may not open the port
      * @throws PortFaultException if the driver refuses for another reason
      */
     public static Link open(String port, LinkSettings settings, String owner) throws PortException {
@@ -107,27 +111,27 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * A link on an open line, with {@code clock} as its clock: for tests, and for lines that {@link Transports} does not know. The link has
-     * no owner, so {@link #ownerOf} does not find it.
+     * Creates a link on an open line, for tests and for lines that {@link Transports} does not know. {@link #ownerOf} does not find the
+     * link.
      *
-     * @param transport the open line, whose waits use the same clock; closed with the link
+     * @param transport the open line, whose waits use {@code clock}. The link closes the line
      * @param settings the settings, with the line's rate
      */
     public static Link over(Transport transport, LinkSettings settings, LineClock clock) {
         return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
     }
 
-    /** The owner of {@code port}, if a link of this program has it open, under any of its names. */
+    /** Returns the owner of {@code port}, under any of the port's names. Returns empty if no link of this program has the port open. */
     public static Optional<String> ownerOf(String port) {
         return PortOwners.ownerOf(port);
     }
 
-    /** The port's name, as it was given. */
+    /** Returns the port's name, as it was given. */
     public String port() {
         return transport.name();
     }
 
-    /** Returns whether the far end may vanish unnoticed, see {@link Transport#mayVanish()}. */
+    /** Returns whether the far end may vanish without an error, see {@link Transport#mayVanish()}. */
     public boolean mayVanish() {
         return transport.mayVanish();
     }
@@ -137,21 +141,25 @@ public final class Link implements AutoCloseable {
         return settings;
     }
 
-    /** The version that is spoken; {@link Protocol#AUTO}: it is not known yet. */
+    /** Returns the version that is spoken. {@link Protocol#AUTO} means that it is not known yet. */
     public Protocol protocol() {
         return board.protocol();
     }
 
-    /** The board's registered actions, by number. Empty while they are not known, and in version 1. Any thread; does not wait. */
+    /**
+     * Returns the board's registered actions, by number. Empty while they are not known, and in version 1. Safe on any thread. Does not
+     * wait.
+     */
     public Optional<List<BoardAction>> vocabulary() {
         return line.session().vocabulary();
     }
 
     /**
-     * Asks the board for the kinds of its percepts, when no request is under way. Kinds that cannot be read are left out and logged.
+     * Asks the board for the kinds of its percepts. First waits until no other request is in progress. Leaves out and logs kinds that
+     * cannot be read.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
-     * @return a description without kinds and problems if the board describes no percepts, or is not known to speak version 2
+     * @return the description; it is empty if the board describes no percepts, or is not known to speak version 2
      * @throws PortTimeoutException if the board speaks version 2 and gave no answer
      */
     public PerceptDescription perceptDescription(int timeoutMillis) throws PortException {
@@ -180,36 +188,40 @@ public final class Link implements AutoCloseable {
         return description;
     }
 
-    /** How many actions of the board's program found no room on the board, which refuses them. 0: none, or the number is not known yet. */
+    /**
+     * Returns the number of actions that the board has no room for. The board refuses these actions. 0 also means that the number is not
+     * known yet.
+     */
     public int actionsLost() {
         return line.session().actionsLost();
     }
 
     /**
-     * Sets the listener for reports that the board sends of its own accord, in place of the present listener. If there is a session, calls
-     * {@link BoardListener#sessionBegan} at once, on the calling thread.
+     * Sets the listener for the board's own reports, in place of the present listener. If there is a session, calls
+     * {@link BoardListener#sessionBegan} on the calling thread before it returns.
      */
     public void onBoardEvents(BoardListener listener) {
         line.session().onBoardEvents(Objects.requireNonNull(listener, "listener"));
     }
 
-    /** The number of frames of version 2 that were dropped for a wrong checksum. */
+    /** Returns the number of frames of version 2 that were dropped for a wrong checksum. */
     public long corruptFrames() {
         return line.inbox().corrupt();
     }
 
-    /** Returns whether this link can be used: it is not closed, and no call has found that its device has gone. */
+    /** Returns whether this link can be used: it is not closed, and no call has found its device gone. */
     public boolean isOpen() {
         return writer.hasLine();
     }
 
     /**
-     * Sends a request and returns its answer. Drops messages that came before the request, as they answer earlier requests. If an answer
-     * does not come in time, the next request first waits for a silence of the line, and returns the last message before that silence.
+     * Sends a request and returns its answer. Drops messages that came before the request, because they answer earlier requests. If an
+     * answer does not come in time, the next request first waits for a silence of the line. It then returns the last message before that
+     * silence.
      *
-     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; the board then gets the same time for its
-     *     answer, counted from the request's last byte. After a missed answer, the wait for silence takes at most as long again. While the
-     *     board may be starting, the request is repeated
+     * @param timeoutMillis milliseconds, at least 1, to wait at most for other frames on the line. The board gets this time again for its
+     *     answer, counted from the request's last byte. After a missed answer, the wait for silence takes at most this time again. The
+     *     request is repeated while the board may be starting
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -223,11 +235,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #request(String, int)}, for a caller that asks again and again. A command that a request overtakes must wait for a whole
-     * exchange. So the commands submitted before this call go out first, then the commands submitted while this call waits. Each of the two
-     * waits takes at most as long as the last exchange, or as the interval if that is longer, so commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks repeatedly. A command behind a request must wait for a whole exchange.
+     * This method therefore first waits for the commands submitted before the call, then for the commands submitted during that wait.
+     * Commands cannot starve requests: each of the two waits takes at most the time of the last exchange, or the interval if that is
+     * longer.
      *
-     * @param message called when the request's turn has come
+     * @param message returns the request; called when the request is about to go out
      * @param intervalMillis milliseconds between requests
      */
     public Reply request(Supplier<String> message, int timeoutMillis, int intervalMillis) throws PortException {
@@ -251,8 +264,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands submitted so far have ended. In version 2, which sends both ways at once, waits only
-     * until they have begun.
+     * Waits at most {@code nanos} until the commands submitted so far have ended. Version 2 sends both ways at once, so there the wait
+     * ends when the commands have begun.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -262,14 +275,17 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Returns whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
+    /** Returns whether the board is known to speak version 2 and would treat {@code message} as a command. */
     private boolean isCommand(String message) {
         return board.speaks2() && !PerceptsRequest.isIn(message);
     }
 
-    /** In version 2 only percepts are requested. Any other message is a command, and the board's next message is its answer. */
+    /**
+     * Sends a message other than a request for percepts to a version 2 board. The message is a command there. The board's next message is
+     * its answer.
+     */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
-        line.session().takeHeard(); // drops earlier messages: they do not answer the command
+        line.session().takeHeard(); // drops earlier messages
         sendAndAwait(message, timeoutMillis);
         return listen(
                 timeoutMillis,
@@ -289,17 +305,17 @@ public final class Link implements AutoCloseable {
             }
             return answer;
         });
-        // null: the board turned out to speak version 2, where this request is a command
+        // null: the board turned out to speak version 2, which treats this request as a command
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
-    /** Returns the likely reason of a silence: that no session is possible, that bytes came which are no message, or else {@code usual}. */
+    /** Returns the likely reason for a silence: no possible session, stray bytes, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
         return board.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
     }
 
-    /** The bytes since the last message. Safe on any thread; does not wait. */
+    /** Returns the bytes since the last message. Safe on any thread. Does not wait. */
     public StrayBytes strayBytes() {
         return line.inbox().strayBytes();
     }
@@ -307,17 +323,22 @@ public final class Link implements AutoCloseable {
     /**
      * Queues a command and returns at once. A thread in {@link #writeCommandsUntilClosed} sends urgent commands before others.
      *
-     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
-     * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
-     * acted. Until the outcome is known, the command is repeated, and the board takes the repetitions for one command. The command is given
-     * up after four repetitions and 2 s without any frame from the board.
+     * <p>The thread that learns the outcome completes the future and holds no lock. In version 1 the outcome is known when the last byte
+     * has left by the line's rate. If the link is not paced, it is known when the driver has that byte. In version 2 the outcome is known
+     * when the board has acted. Until then the link repeats the command, and the board acts only once. After four repetitions and 2 s
+     * without any frame from the board, the link gives the command up.
      *
-     * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
-     * {@link ActionUnconfirmedException} if it is unknown whether the board has acted; {@link CommandWithdrawnException} if the command's
-     * time was over before it began to go out; {@link CommandReplacedException} if a later command replaced it;
-     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is
-     * gone; or with any exception that a transport throws. If a caller completes or cancels the future before the command has begun to go
-     * out, the command does not go out.
+     * <p>The future fails with
+     * <ul>
+     *   <li>{@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     *   <li>{@link ActionUnconfirmedException} if it is unknown whether the board has acted;
+     *   <li>{@link CommandWithdrawnException} if the command's time limit ended before it began to go out;
+     *   <li>{@link CommandReplacedException} if a later command replaced it;
+     *   <li>{@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
+     *   <li>{@link PortGoneException} if the line is gone;
+     *   <li>any exception that a transport throws.
+     * </ul>
+     * If a caller completes or cancels the future before the command has begun to go out, the command is not sent.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
@@ -326,16 +347,16 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. A command
-     * given as text cannot change rules. If the board speaks version 1, the future fails with {@link ActionRefusedException} too.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. A text
+     * command cannot change rules. If the board speaks version 1, the future fails with {@link ActionRefusedException}.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
     }
 
     /**
-     * Sends queued commands to the board, present and future ones, until it throws. Call this method on a thread of its own: it does not
-     * return when the queue is empty.
+     * Sends present and future queued commands to the board until an exception ends this call. Call this method on a thread of its own,
+     * because it does not return when the queue is empty.
      *
      * <pre>{@code
      * new Thread(() -> {
@@ -359,12 +380,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, but on the calling thread. If no other thread sends the commands in front of this one, the calling thread sends
-     * them. Returns when the command has arrived.
+     * Like {@link #send}, but on the calling thread. The calling thread also sends the commands before this one, if no other thread does.
+     * Returns when the command has arrived.
      *
-     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if the turn did not come, so nothing was sent, or if the driver did not take the whole frame: some bytes
-     *     may have left
+     * @param timeoutMillis milliseconds, at least 1, to wait at most for other frames, after the board has had time to start
+     * @throws PortTimeoutException if other frames took all the time, so nothing was sent, or if the driver did not take the whole frame:
+     *     some bytes may have gone out
      * @throws PortException with which the future of {@link #send} fails
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
@@ -373,7 +394,7 @@ public final class Link implements AutoCloseable {
         sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
-    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority. The command waits at most five seconds for the line. */
+    /** Like {@link #sendAndAwait(String, int)}, with options. The command waits at most five seconds for the line. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
         sendAndAwait(Frame.ofCommand(command), options, CommandLoop.STUCK_MILLIS);
     }
@@ -386,10 +407,10 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits for a message that the board sends of its own accord. Returns the newest message, and drops older ones.
+     * Waits for a message that the board sends on its own. Returns the newest message, and drops older ones.
      *
      * @param timeoutMillis milliseconds to wait at most, at least 1
-     * @throws PortTimeoutException if none came
+     * @throws PortTimeoutException if no message came
      */
     public Reply listen(int timeoutMillis) throws PortException {
         return listen(timeoutMillis, "sent no message", "does the board send percepts unasked?");
@@ -412,8 +433,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Reads the line for {@code timeoutMillis} between two requests. Passes {@linkplain #onBoardEvents the board's reports} on, and notices
-     * if the device has gone. Keeps messages for {@link #listen}.
+     * Reads the line for {@code timeoutMillis}, for a pause between requests. Passes {@linkplain #onBoardEvents the board's reports} on.
+     * Keeps messages for {@link #listen}. Throws if the device has gone.
      *
      * @param timeoutMillis milliseconds, at least 1
      */
@@ -426,7 +447,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Finds out whether the device is still there. Does not wait, and takes no message from a thread that reads.
+     * Checks whether the device is still there. Does not wait, and takes no message from a reading thread.
      *
      * @throws PortGoneException if the device has gone
      */
@@ -437,22 +458,22 @@ public final class Link implements AutoCloseable {
         });
     }
 
-    /** Closes the port and gives it back. Calls that wait on this link throw {@link PortGoneException}. Idempotent. */
+    /** Closes the port and releases it. Waiting calls throw {@link PortGoneException}. Idempotent. */
     @Override
     public void close() {
         end("port " + port() + " is gone: it was closed");
     }
 
-    /** Announces {@link #close}: an {@link #open} of this port now waits for a while until the port is closed. Does not wait. */
+    /** Announces {@link #close}. From now on an {@link #open} of this port waits a while for the close. Does not wait. */
     public void leave() {
         claim.leave();
     }
 
     private void end(String why) {
         claim.leave();
-        writer.end(why); // wakes threads that wait for the line
+        writer.end(why); // wakes waiting threads
         commands.failAll(why);
-        ending.lock(); // so a second caller returns only when the port is free
+        ending.lock(); // a second caller returns only after the port is free
         try {
             transport.close();
             claim.release();
@@ -461,14 +482,14 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Waits until something has come from the board, or the board must have started. */
+    /** Waits until the board has sent something, or must have started. */
     private void awaitStart() throws PortException {
         if (channel.sayHelloToListener()) {
             return;
         }
         try {
             if (!reading.tryLock(Math.max(board.nanosToStart(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
-                // another call reads the line: it also waits for the start, or it listens for a long time
+                // another call reads: it also waits for the start, or listens for a long time
                 return;
             }
         } catch (InterruptedException e) {
@@ -487,7 +508,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work that reads the line; one thread at a time. */
+    /** Does work that reads the line. Only one thread at a time does such work. */
     private <T> T reading(Monitor.Work<T, PortException> work) throws PortException {
         try {
             reading.lockInterruptibly();
@@ -501,7 +522,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work, and gives the port back if the line turns out to be gone. */
+    /** Does work. If the line turns out to be gone, releases the port. */
     private <T> T noticing(Monitor.Work<T, PortException> work) throws PortException {
         try {
             writer.requireLine();
@@ -514,7 +535,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work. If the work's time is over, looks at the line: a thread that only waited has not noticed that the line is gone. */
+    /** Does work. After a timeout reads the line once: a thread that only waited does not know whether the line is gone. */
     private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();

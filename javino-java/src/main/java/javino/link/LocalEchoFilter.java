@@ -6,16 +6,16 @@ import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
- * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, echo everything that is sent, so a
- * request would pass for its own answer.
- * <p>No board sends a request for percepts, so a request that comes back proves that the line echoes. From then on, actions that come back
- * are no messages either. Before, they count as messages, since some boards send their commands back. One thread at a time.
+ * Recognizes echoes of sent frames. Some lines, such as two-wire RS-485 adapters, echo all sent bytes. A request would then pass for its
+ * own answer.
+ * <p>No board sends a request for percepts, so a returned request proves that the line echoes. From then on, returned actions count as
+ * echoes too. Before, returned actions count as messages, because some boards send their commands back. Not thread-safe.
  */
 final class LocalEchoFilter {
-    /** The most frames that are remembered: fewer are on their way at any time, so older frames were lost on the line. */
+    /** The most frames that are remembered. Fewer frames are on their way at any time, so older frames were lost. */
     private static final int MAX = 32;
 
-    private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first
+    private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not returned yet, the oldest first
     private boolean known;
 
     void sends(Frame frame) {
@@ -31,7 +31,7 @@ final class LocalEchoFilter {
         }
         known |= PerceptsRequest.isIn(frame.text());
         if (known) {
-            while (!sent.remove().equals(frame)) {} // the line has lost the frames sent before this one
+            while (!sent.remove().equals(frame)) {} // the line has lost the frames before this one
         }
         return known;
     }

@@ -10,8 +10,8 @@ import javino.PortException;
 import javino.PortInterruptedException;
 
 /**
- * A lock under which threads wait for conditions, in the time of a line. A thread that gives the lock back checks the conditions of the
- * waiting threads, and wakes only threads whose wait is over: a needless wake-up costs more than a check.
+ * A lock under which threads wait for conditions, by a line's clock. A thread that releases the lock checks the conditions of the waiting
+ * threads. It wakes only threads whose condition is true: a needless wake-up costs more than a check.
  */
 final class Monitor {
     static final long FOREVER = Long.MAX_VALUE / 4;
@@ -28,7 +28,7 @@ final class Monitor {
     private final LineClock clock;
     private final String port;
     private final List<Waiter> waiters = new ArrayList<>();
-    private int depth; // how many times its holder has locked it
+    private int depth; // number of times that the holder has locked the lock
 
     Monitor(LineClock clock, String port) {
         this.clock = clock;
@@ -64,7 +64,7 @@ final class Monitor {
         } finally {
             try {
                 if (depth == 1) {
-                    waiters.forEach(Waiter::wakeIfDue); // checking a condition may take the lock once more
+                    waiters.forEach(Waiter::wakeIfDue); // a condition may take the lock again
                 }
             } finally {
                 depth--;
@@ -74,9 +74,9 @@ final class Monitor {
     }
 
     /**
-     * Waits until {@code nanosLeft} is 0 or less. Every thread that gives the lock back calls {@code nanosLeft}, under the lock; this
-     * thread calls it when the returned time has passed. So {@code nanosLeft} must change nothing, and depend only on time and on state
-     * that the lock guards. The caller holds the lock.
+     * Waits until {@code nanosLeft} returns 0 or less. Every thread that releases the lock calls {@code nanosLeft}, under the lock. The
+     * waiting thread calls it when the returned time has passed. {@code nanosLeft} must change nothing, and depend only on time and on
+     * state that the lock guards. The caller holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {
         Waiter waiter = new Waiter(nanosLeft);
@@ -98,7 +98,7 @@ final class Monitor {
         }
     }
 
-    /** Gives the lock back, does {@code work}, and takes the lock again. The caller holds the lock. */
+    /** Releases the lock, does {@code work}, and takes the lock again. The caller holds the lock. */
     <T> T unlocked(Work<T, PortException> work) throws PortException {
         return free(() -> {
             lock.unlock();
@@ -125,7 +125,7 @@ final class Monitor {
         private final Condition woken = lock.newCondition();
         private final LongSupplier nanosLeft;
         private long wakesAt;
-        private boolean isWoken = true; // true also before the thread sleeps
+        private boolean isWoken = true; // also true before the thread sleeps
 
         Waiter(LongSupplier nanosLeft) {
             this.nanosLeft = nanosLeft;

@@ -8,11 +8,11 @@ import javino.wire.WireFrame;
 
 /**
  * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats both
- * until HELLO or the request is answered. A board of version 1 drops HELLO. A board of version 2 that missed HELLO while it started may
- * answer the request in version 1, so it gets HELLO once more. If bytes came that are no message, the board gets several HELLOs: the bytes
- * may contain a damaged WELCOME.
- * <p>A frame of version 1 follows HELLO only after the time for WELCOME: a board in a session ignores a frame of version 1 that closely
- * follows other bytes. One thread at a time.
+ * until an answer comes. A board of version 1 ignores HELLO. A board of version 2 that missed HELLO during its start may answer the
+ * request in version 1. A board that may be starting therefore gets HELLO once more after its answer. If stray bytes came, they may
+ * contain a damaged WELCOME, so the board gets several HELLOs.
+ * <p>A board in a session ignores a frame of version 1 that closely follows other bytes. A frame of version 1 therefore follows HELLO
+ * only after the time for WELCOME. Not thread-safe.
  */
 final class Negotiation {
     private static final long HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -26,7 +26,7 @@ final class Negotiation {
     private final KnownBoard board;
     private final LineClock clock;
     private final long helloNanos;
-    private boolean hasNoise; // bytes came in place of WELCOME
+    private boolean hasNoise; // stray bytes came in place of WELCOME
 
     Negotiation(
             SessionLine line, FrameWriter writer, Version1Requests version1, LineClock clock, LinkSettings settings) {
@@ -41,7 +41,7 @@ final class Negotiation {
     /**
      * Finds out the version. Gives up after {@code timeoutMillis}, but not before the board must have started.
      *
-     * @return the answer to {@code request} in version 1; null: none came
+     * @return the answer to {@code request} in version 1; null if none came
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -73,7 +73,7 @@ final class Negotiation {
         }
     }
 
-    /** Sends HELLO, and once more if no WELCOME comes; returns whether WELCOME has come. */
+    /** Sends HELLO. If no WELCOME comes, sends HELLO once more. Returns whether WELCOME has come. */
     boolean sayHello(int timeoutMillis) throws PortException {
         return isWelcomed(2, timeoutMillis);
     }
@@ -92,7 +92,7 @@ final class Negotiation {
                 FrameWriter.Kind.ACTION,
                 WireFrame.OVERHEAD,
                 timeoutMillis,
-                () -> board.speaks2() ? null : line.session().hello()); // in a session, a further HELLO would end it
+                () -> board.speaks2() ? null : line.session().hello()); // a further HELLO would end the session
         boolean isWelcomed = line.await(board::speaks2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;

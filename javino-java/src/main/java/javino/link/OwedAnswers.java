@@ -3,17 +3,17 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the answers that a board owes. A late answer would pass for the answer to the next request, and from then on each answer would be
- * one request late. So after a missed answer the next exchange listens until the line has been silent for a while, and takes the last
- * answer. Times are nanoseconds of one steady clock. One thread at a time.
+ * Counts the requests whose answers are missing. A late answer would pass for the answer to the next request, and all later answers would
+ * be one request late. After a missed answer the next exchange therefore listens until the line has been silent for a while, and takes
+ * the last answer. Times are nanoseconds of one steady clock. Not thread-safe.
  */
 final class OwedAnswers {
     private static final long MIN_SETTLING_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
-    /** If the first answer takes longer than this, the board was starting, and is not slow. */
+    /** If the first answer takes longer, the board was starting. Such an answer does not show a slow board. */
     private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    private long longestNanos; // the longest time that an answer has taken; 0: none has been timed
-    private int asked; // requests since the board last owed no answer
+    private long longestNanos; // longest time of an answer; 0 if none has been timed
+    private int asked; // number of requests since the last time that no answer was missing
     private long firstAskedAt;
 
     void asked(long nanos) {
@@ -23,7 +23,7 @@ final class OwedAnswers {
         asked++;
     }
 
-    /** Returns whether a message that arrives now may answer an earlier request than the last. */
+    /** Returns whether a message that arrives now may answer an earlier request. */
     boolean mayBeLate() {
         return asked > 1;
     }
@@ -33,15 +33,15 @@ final class OwedAnswers {
         asked = 0;
     }
 
-    /** Records that the line has fallen silent: the board owes no answer any more. */
+    /** Records that the line has fallen silent. No answer is missing any more. */
     void settled() {
         asked = 0;
     }
 
     /**
-     * Nanoseconds of silence after which no further answer is expected: twice the longest time that an answer has taken, at least 50 ms and
-     * at most {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts instead, unless the board was
-     * just starting.
+     * Returns the nanoseconds of silence after which no further answer is expected: twice the longest time of an answer, at least 50 ms
+     * and at most {@code timeoutNanos}. If no answer has been timed, uses the time since the first request instead. If the board was just
+     * starting, uses the least time.
      *
      * @param answerAt time at which the first message arrived
      */

@@ -3,31 +3,32 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Decides when the driver may get the next frame. Knows the time, and the frames that were written and received.
+ * Decides when the driver may get the next frame. Uses the time, and the frames that were written and received.
  *
- * <p>Two things hold a frame back. First, the pace: the driver gets a frame when, by the baud rate, the frame before has left the line.
- * Second, the limits of version 1 boards. Between two rounds of its {@code loop()} such a board reads all bytes that have arrived, and has
- * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
- * it sends an answer. So
+ * <p>Two limits hold a frame back. The first is the pace: the driver gets a frame when the previous frame has left the line, by the baud
+ * rate. The second is the capacity of version 1 boards. Such a board reads the line once in each run of its {@code loop()}, and has room
+ * for one message. If the bytes contain a message and the beginning of another frame, the board restarts. The board does not read while
+ * it sends an answer. Therefore:
  * <ul>
- *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is at least that of the settings
- *       and, unless that is 0, the {@link GapEstimate} for the board's loop. Exception: the answer to the only open request, behind which
- *       no action was written, shows that the board has handled all messages. So the first action after this answer starts at once;
- *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as an AVR's
- *       receive buffer holds. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of silence within the answer, or
- *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
- *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
- * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
+ *   <li>A frame starts one gap after the end of the previous frame or answer. The gap is at least that of the settings. Unless the
+ *       settings say 0, it is also at least the {@link GapEstimate}. Exception: the answer to the only open request shows that the board
+ *       has handled all messages, if no action was written after the request. The first action after this answer starts at once.
+ *   <li>While the board may be busy with an answer, the pacer limits the actions to the number that the board can hold. It limits their
+ *       bytes to the receive buffer of an AVR. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of silence within the
+ *       answer, or {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request.
+ *   <li>If a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
+ * </ul>
+ * Version 2 boards announce how much they can receive, so only the pace limits them. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
-    /** A board begins its answer within this time: its loop may take 50 ms, and reading its sensors another 50 ms. */
+    /** A board begins its answer within this time: 50 ms for its loop, and 50 ms for its sensors, with a reserve. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
-    /** Bytes that an AVR can hold unread: its buffer has 64 bytes, of which a few are kept for bytes that are just being received. */
+    /** Bytes that an AVR can hold unread. Its buffer has 64 bytes. A few stay free for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** So many late answers in a row prove a slow board: one or two may be this computer's fault. */
+    /** The number of late answers in a row that prove a slow board. This computer may cause one or two. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
@@ -47,11 +48,11 @@ final class Pacer {
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
     private int unanswered; // number of requests in a row without an answer
-    private boolean boardIsIdle; // the board has handled all messages: no unread message precedes the next frame
+    private boolean boardIsIdle; // the board has handled all messages
     private long busyUntil;
     private final Version1SilenceHold silence = new Version1SilenceHold();
-    private int lateAnswers; // late answers in a row
-    private int actionsMeanwhile; // actions written while the board may have been busy with the last request
+    private int lateAnswers; // number of late answers in a row
+    private int actionsMeanwhile; // actions written while the board may be busy with the last request
     private int bytesMeanwhile;
 
     Pacer(LinkSettings settings, long now) {
@@ -65,36 +66,39 @@ final class Pacer {
         busyUntil = now;
     }
 
-    /** The most milliseconds for which a frame is held back on a free line: by the gap, and by a delay to probe the board's loop. */
+    /**
+     * Returns the most milliseconds for which a frame is held back on a free line. The gap and the delay on purpose of
+     * {@link GapEstimate} add up.
+     */
     int maxHoldMillis() {
         return maxHoldMillis;
     }
 
-    /** Nanoseconds from {@code now} until a frame of version 2 may be written; 0: now. */
+    /** Returns the nanoseconds from {@code now} until a frame of version 2 may be written; 0: now. */
     long nanosUntilFrame(long now) {
         return nanosUntil(lineFreeAt, now);
     }
 
-    /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer may shorten the time. */
+    /** Returns the nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer may shorten the time. */
     long nanosUntilAction(int bytes, long now) {
         long free = boardIsIdle ? lineFreeAt : earliest();
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: any action may be written. */
+    /** Returns the nanoseconds for which only urgent actions may be written if no answer comes; 0: any action may be written. */
     long nanosHeld(long now) {
         return paced ? silence.nanosHeld(now) : 0;
     }
 
-    /** Returns whether the board's answers begin so late that its {@code loop()} must take longer than the longest gap. */
+    /** Returns whether the board's answers are so late that its {@code loop()} must take longer than the longest gap. */
     boolean isSlow() {
         return silence.isAnswering() && lateAnswers >= MANY_LATE;
     }
 
     /**
-     * Nanoseconds from {@code now} until a request may be written; 0: now.
+     * Returns the nanoseconds from {@code now} until a request may be written; 0: now.
      *
-     * @param due time at which the request would have gone out on a free line
+     * @param due time at which the request would go out on a free line
      */
     long nanosUntilRequest(long due, long now) {
         long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
@@ -111,7 +115,8 @@ final class Pacer {
     }
 
     /**
-     * Records an action that went to the driver from {@code start} to {@code now}. Returns the time at which its last byte leaves the line.
+     * Records an action that the driver took from {@code start} to {@code now}. Returns the time at which the action's last byte leaves
+     * the line.
      */
     long wroteAction(int bytes, long start, long now) {
         actionSinceRequest = true;
@@ -138,7 +143,7 @@ final class Pacer {
         return requestEnd;
     }
 
-    /** Records that all written bytes have arrived: the line may be faster than its rate, as a pseudo-terminal is. */
+    /** Records that all written bytes have arrived. A line may be faster than its rate, such as a pseudo-terminal. */
     void allArrived(long now) {
         lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
     }
@@ -156,7 +161,10 @@ final class Pacer {
         return lastEnd;
     }
 
-    /** Records that {@code bytes} were found together. Each byte takes its time on the line, so the first arrived earlier than now. */
+    /**
+     * Records that one read returned {@code bytes}. The first byte arrived earlier than {@code now}, because each byte takes time on the
+     * line.
+     */
     void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {
@@ -169,7 +177,7 @@ final class Pacer {
         }
     }
 
-    /** Records that the time for the answer to the last request is over at {@code now}. */
+    /** Records at {@code now} that the answer to the last request did not come in time. */
     void unanswered(long now) {
         lateAnswers += answerBegun ? 0 : 1;
         silence.unanswered(now);
@@ -187,7 +195,7 @@ final class Pacer {
         awaitingAnswer = false;
         busyUntil = now;
         if (!actionSinceRequest) {
-            lineFreeAt = now; // all bytes have left: the line may be faster than its rate, as a pseudo-terminal is
+            lineFreeAt = now; // all bytes have left: the line may be faster than its rate
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);

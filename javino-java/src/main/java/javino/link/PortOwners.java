@@ -10,11 +10,11 @@ import javino.PortException;
 import javino.PortInterruptedException;
 import javino.Transports;
 
-/** The owners of ports by {@linkplain Transports#canonicalName canonical name}, in one table for the whole program. */
+/** The owners of all ports of this program, by {@linkplain Transports#canonicalName canonical name}. */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
 
-    /** The longest wait for an owner that is about to give a port back: a driver may take seconds to close a port. */
+    /** The longest wait for an owner that is giving a port back. A driver may take seconds to close a port. */
     private static final int PATIENCE_MILLIS = 5_000;
 
     private PortOwners() {}
@@ -30,7 +30,7 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** Records that the owner is about to give the port back; the next owner then waits until the port is free. Idempotent. */
+        /** Records that the owner is about to give the port back. The next owner then waits for the port. Idempotent. */
         void leave() {
             isLeaving = true;
         }
@@ -45,7 +45,7 @@ final class PortOwners {
         }
     }
 
-    /** A claim to a line that is no port of this machine; such a claim excludes nobody. */
+    /** Returns a claim to a line that is no port of this machine. The claim excludes nobody. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }

@@ -9,7 +9,7 @@ import javino.PortException;
 import javino.Protocol;
 
 /**
- * Finds out which version the board speaks, and asks and listens in that version. One thread at a time, except for methods marked "Any
+ * Finds out which version the board speaks, and asks and listens in that version. Not thread-safe, except for methods marked "Any
  * thread".
  */
 final class RequestChannel {
@@ -40,8 +40,8 @@ final class RequestChannel {
     }
 
     /**
-     * Returns when the board's answer has shown its version, or when the board must have started. A board that counts as running gets only
-     * HELLO, and no request.
+     * Waits until the board's answer has shown its version, or until the board must have started. A board that counts as running gets
+     * only HELLO.
      */
     void awaitStart() throws PortException {
         if (!board.mustAsk()) {
@@ -58,14 +58,14 @@ final class RequestChannel {
                         clock.nanos() + board.nanosToStart(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            board.saidHello(); // even if it has failed: the waiting commands then go out without a request
+            board.saidHello(); // even after a failure, so waiting commands then go out without a request
             version1.askForAction(false);
         }
     }
 
     /**
-     * Like {@link #awaitStart}, if another thread {@linkplain #listen listens} and only HELLO is needed. The listening thread reads the
-     * answer, so the action does not wait for the next message. Any thread.
+     * Like {@link #awaitStart}, for the case that another thread {@linkplain #listen listens} and only HELLO is needed. The listening
+     * thread reads the answer. Any thread.
      * @return whether HELLO has been sent
      */
     boolean sayHelloToListener() throws PortException {
@@ -101,7 +101,7 @@ final class RequestChannel {
 
     /**
      * Sends a request and returns its answer. Repeats the request while the board may be starting, and if the answer is damaged. Returns
-     * null if no answer comes in time, or if the board turns out to speak version 2 and the request is not for percepts.
+     * null if no answer comes in time. Also returns null if the board speaks version 2 and the request is not for percepts.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (board.speaks2()) {
@@ -114,12 +114,15 @@ final class RequestChannel {
         if (answer == null && board.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
         }
-        return answer == null && board.speaks2() // a session that is not open yet gets twice the time
+        return answer == null && board.speaks2() // opening a session may take the time once more
                 ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
                 : answer;
     }
 
-    /** Asks a board of version 2 for the kinds of its percepts; null: the board speaks another version, or does not answer in time. */
+    /**
+     * Asks a board of version 2 for the kinds of its percepts. Returns null if the board speaks another version, or does not answer in
+     * time.
+     */
     Reply requestKinds(int timeoutMillis) throws PortException {
         return board.speaks2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
@@ -132,7 +135,7 @@ final class RequestChannel {
                 session.isOpen() ? 0 : board.nanosToStart(),
                 TimeUnit.MILLISECONDS.toNanos(waitMillis) + REQUEST_BYTES * byteNanos);
         long deadline = clock.nanos() + wait;
-        line.inbox().look(); // drops earlier messages: they do not answer the question
+        line.inbox().look(); // drops earlier messages
         session.request(request.text().substring(PerceptsRequest.ALL.length()));
         try {
             line.await(() -> session.answer() != null || !board.speaks2(), deadline, true);
@@ -146,7 +149,7 @@ final class RequestChannel {
         return answer;
     }
 
-    /** The newest message that the board sends of its own accord; null: none comes in time. */
+    /** Returns the newest message that the board sends on its own, or null if none comes in time. */
     Reply listen(int timeoutMillis) throws PortException {
         long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         isListening = true;

@@ -5,9 +5,10 @@ import javino.CommandReplacedException;
 /**
  * Options of a command, see {@link Link#send(String, SendOptions)}.
  *
- * @param urgent whether the command goes before waiting commands that are not urgent
- * @param limitMillis milliseconds from the call within which the outcome is known in any case; 0: no limit
- * @param latest whether the command replaces waiting commands of the same functor, which then fail with {@link CommandReplacedException}
+ * @param urgent whether the command goes out before waiting commands that are not urgent
+ * @param limitMillis milliseconds from the call after which the outcome is known in any case; 0: no limit
+ * @param latest whether the command replaces waiting commands with the same functor. Replaced commands fail with
+ *     {@link CommandReplacedException}
  */
 public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
     public SendOptions {
@@ -17,12 +18,12 @@ public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
         }
     }
 
-    /** Options of a command that replaces no other. */
+    /** Creates options of a command that replaces no other command. */
     public SendOptions(boolean urgent, int limitMillis) {
         this(urgent, limitMillis, false);
     }
 
-    /** Options of a command that is not urgent, has no time limit and replaces no other. */
+    /** Returns options of a command that is not urgent, has no time limit and replaces no other command. */
     public static SendOptions defaults() {
         return new SendOptions(false, 0, false);
     }

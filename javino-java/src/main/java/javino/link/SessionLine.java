@@ -10,17 +10,17 @@ import javino.PortTimeoutException;
 import javino.Transport;
 
 /**
- * Carries the frames of a line: those of a {@link Version2Session}, and {@link Version1Commands}. Each thread that waits here works for all
+ * Carries the frames of a line, from a {@link Version2Session} and from {@link Version1Commands}. Each waiting thread works for all
  * threads: it writes frames that are due, and reads if no other thread reads. The thread that first sees an outcome or a report passes it
- * on. Safe on any thread; no lock is held while bytes are written or awaited, nor while a report is passed on.
+ * on. Safe on any thread. Holds no lock while it reads, writes, or passes a report on.
  */
 final class SessionLine {
-    /** The longest single read while a frame is being written: another frame may be due right after. */
+    /** The longest single read during a write. Another frame may be due right after the write. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    /** The shortest time limit of a write. With a shorter limit, a thread that is late would look like a driver that takes nothing. */
+    /** The shortest time limit of a write. With a shorter limit, a delayed thread would look like a blocked driver. */
     private static final int LEAST_WRITE_MILLIS = 100;
 
     private final Monitor monitor;
@@ -33,7 +33,7 @@ final class SessionLine {
     private final Version1Commands version1;
     private int followers;
 
-    /** A frame that goes out, with its command of version 1. The command is null if the frame belongs to the session. */
+    /** A frame to write, with its command of version 1. The command is null for a session's frame. */
     record Outgoing(byte[] frame, Command command) {}
 
     SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
@@ -58,17 +58,23 @@ final class SessionLine {
         return session;
     }
 
-    /** Returns whether a command waits until the board has been asked for something. */
+    /** Returns whether a request or HELLO must precede the waiting command. */
     boolean mustAskFirst() {
         return monitor.get(version1::mustAskFirst);
     }
 
-    /** Records that the board was asked: commands of version 1 get through from now on, or at least the next one may go out unanswered. */
+    /**
+     * Records that the board was asked. Commands of version 1 may go out now. If the board is still not ready, at least the next command
+     * may.
+     */
     void hasAsked() {
         monitor.change(() -> version1.hasAsked(clock.nanos()));
     }
 
-    /** The time at which a command last got through, or first could (version 1), or at which the board was last heard (version 2). */
+    /**
+     * Returns when the board last made progress. Version 1: the time at which a command last got through, or first could. Version 2: the
+     * time of the board's last frame.
+     */
     long movedNanos() {
         return board.speaks2() ? session.movedNanos() : version1.movedNanos();
     }
@@ -79,8 +85,8 @@ final class SessionLine {
     }
 
     /**
-     * Writes and reads on this thread until {@code isDone}, which is called under the lock, returns true, or until {@code deadline}.
-     * @param reads whether this thread reads even if nothing is expected. Then it leaves the commands of version 1 to other threads: a
+     * Writes and reads on this thread until {@code isDone} returns true, or until {@code deadline}. Calls {@code isDone} under the lock.
+     * @param reads whether this thread reads even if nothing is expected. Such a thread leaves commands of version 1 to other threads: a
      *     driver may need more time for a command than this thread has
      * @return whether {@code isDone} returned true
      */
@@ -89,8 +95,8 @@ final class SessionLine {
     }
 
     /**
-     * Like {@link #await}, for the thread that writes the commands: a driver gets its full time for a frame, however soon the wait ends.
-     * {@code deadline} is called anew each time, under the lock.
+     * Like {@link #await}, for the thread that writes the commands. A driver gets its full time for a frame, even if the wait ends soon.
+     * {@code deadline} is called repeatedly, under the lock.
      */
     void serve(BooleanSupplier isDone, LongSupplier deadline) throws PortException {
         await(isDone, deadline, false, () -> Monitor.FOREVER);
@@ -120,7 +126,7 @@ final class SessionLine {
                 Math.max(LEAST_WRITE_MILLIS, Math.min(CommandLoop.STUCK_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
     }
 
-    /** Reads or waits until a frame is due, and returns the frame; null: the wait is over, or a report must be passed on. */
+    /** Reads or waits until a frame is due, and returns the frame. Returns null if the wait is over, or if a report must be passed on. */
     private Outgoing nextUnless(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
@@ -143,9 +149,9 @@ final class SessionLine {
     }
 
     /**
-     * Nanoseconds for one read. A read cannot be ended early. During a read the wait of another thread may end, or a frame may become due
-     * whose sender does not wait. So the reader stops in between to look for due frames. If other threads wait, a read is a little longer:
-     * they write such frames.
+     * Returns the nanoseconds for one read, which cannot be interrupted. Another thread's wait may end during the read, or a frame may
+     * become due. The reader therefore stops regularly and looks for due frames. If other threads wait, they write due frames, so the
+     * read may be a little longer.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {
@@ -166,12 +172,16 @@ final class SessionLine {
         }
     }
 
-    /** Returns whether a thread that waits here has to read: bytes are wanted, and no other thread reads. */
+    /** Returns whether a waiting thread has to read: bytes are wanted, and no other thread reads. */
     private boolean mustRead(boolean reads) {
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
 
-    /** Nanoseconds until this thread, which {@code reads} or not, has a frame to write or an outcome to pass on. */
+    /**
+     * Returns the nanoseconds until this thread has a frame to write or an outcome to pass on.
+     *
+     * @param reads see {@link #await}
+     */
     private long nanosUntilNext(boolean reads) {
         if (reads && !board.speaks2()) {
             return Monitor.FOREVER;
@@ -181,7 +191,7 @@ final class SessionLine {
         return Math.min(untilFrame, version1.nanosUntilArrived(now));
     }
 
-    /** The frame that may be written now, for {@link #write}; null: there is none. The caller holds the monitor's lock. */
+    /** Returns the frame that {@link #write} may write now, or null. The caller holds the monitor's lock. */
     Outgoing nextAtOnce() {
         if (!writer.hasLine()) {
             return null;
@@ -196,10 +206,10 @@ final class SessionLine {
     }
 
     /**
-     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Afterwards writes the frames that became due meanwhile:
-     * the reading thread could not write them, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
-     * @param millis the most milliseconds to wait for the driver to take a frame of version 2; a frame of version 1 gets more. 0: no wait,
-     *     as the caller has found the line {@linkplain FrameWriter#isWritableNow writable now}
+     * Writes the frame from {@link #nextAtOnce}, if there is one. Then writes the frames that became due during the write, because a
+     * reading thread may read until an answer comes. Passes outcomes on. The caller holds no lock.
+     * @param millis the most milliseconds to wait for the driver to take a frame of version 2; a frame of version 1 gets more. 0: no
+     *     wait. Pass 0 only if the line is {@linkplain FrameWriter#isWritableNow writable now}
      */
     void write(Outgoing first, int millis) throws PortException {
         try {
@@ -223,11 +233,11 @@ final class SessionLine {
         try {
             writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // throws if the line is gone; else the frame is repeated later
+            inbox.look(); // throws if the line is gone; else the session repeats the frame later
         }
     }
 
-    /** Writes a command of version 1. Whatever a transport throws, the later commands still go out. */
+    /** Writes a command of version 1. If a transport throws, only this command fails. */
     private void writeCommand(Outgoing next, int millis) throws PortGoneException {
         Throwable failure;
         try {
@@ -246,7 +256,7 @@ final class SessionLine {
         }
     }
 
-    /** Returns the line's exception if the line is gone, of which a slow write may be the first sign; else {@code trouble}. */
+    /** If the line is gone, returns its exception, because a timeout may be the first sign of a lost line. Else returns {@code trouble}. */
     private PortException goneOr(PortTimeoutException trouble) {
         try {
             inbox.look();

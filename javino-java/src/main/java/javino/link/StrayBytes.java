@@ -3,20 +3,22 @@ package javino.link;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes since the last message, which form no message. They help a person to find out why a board seems silent.
+ * The bytes since the last message. They form no message, and help a person to find out why a board seems silent.
  *
  * @param count number of the bytes
- * @param first the first of the bytes, at most {@link #MAX_FIRST}, a character for each byte
- * @param baud the rate at which the bytes were read
+ * @param first the first of the bytes, at most {@link #MAX_FIRST}, one character a byte
+ * @param baud the baud rate at which the bytes were read
  */
 public record StrayBytes(long count, String first, int baud) {
-    /** The most bytes that {@code first} holds. */
+    /** The longest {@code first}, in bytes. */
     public static final int MAX_FIRST = 48;
 
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Returns whether almost all of the bytes are text, as when a sketch prints text. Bytes that are read at a wrong rate are no text. */
+    /**
+     * Returns whether almost all of the bytes are text, such as a sketch's debug output. Bytes that are read at a wrong rate are no text.
+     */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)
@@ -40,7 +42,7 @@ public record StrayBytes(long count, String first, int baud) {
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }
 
-    /** The first stray bytes as text: control characters as in Java, other bytes outside ASCII as {@code \xHH}. */
+    /** Returns the first stray bytes as printable text. Writes a byte outside ASCII as {@code \xHH}. */
     private String shown() {
         StringBuilder text = new StringBuilder();
         for (char c : first.toCharArray()) {

@@ -4,11 +4,11 @@ import java.util.concurrent.TimeUnit;
 import javino.ActionRefusedException;
 
 /**
- * Sends commands to a board of version 1, one after the other. The board acknowledges nothing, so a command counts as arrived when its last
- * byte has left. Guarded by the line's lock.
+ * Sends commands to a board of version 1, one after the other. The board acknowledges nothing, so a command counts as arrived when its
+ * last byte has left. Guarded by the line's lock.
  */
 final class Version1Commands {
-    /** The longest time for which the loss of a device can stay unnoticed while a long message leaves. */
+    /** The interval of checks for a lost device while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private final FrameWriter writer;
@@ -17,13 +17,12 @@ final class Version1Commands {
     private final LineReports reports;
     private final String port;
     private Command underWay;
-    private boolean isWritten; // true: the command under way is written, and its last byte leaves at leavesAt
+    private boolean isWritten; // whether the command under way is written; its last byte leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival does not prove that
-    // others arrive
+    // whether only urgent commands went out when this command began; its arrival then proves nothing for others
     private boolean isHeldBack;
-    private boolean isUnasked; // the next command may go out although the board has not been asked for anything
+    private boolean isUnasked; // the next command may go out without a request before it
     private boolean hasToldSlowBoard;
     private volatile long movedNanos;
 
@@ -36,7 +35,7 @@ final class Version1Commands {
         movedNanos = now;
     }
 
-    /** The time at which a command last got through, or could first get through. */
+    /** Returns the time at which a command last got through, or could first get through. */
     long movedNanos() {
         return movedNanos;
     }
@@ -45,13 +44,16 @@ final class Version1Commands {
         movedNanos = now;
     }
 
-    /** Returns whether the next command waits until the board has been asked for something. */
+    /** Returns whether a request or HELLO must precede the next command. */
     boolean mustAskFirst() {
         Command next = underWay == null ? writer.head() : null;
         return next != null && !isUnasked && board.mustAsk();
     }
 
-    /** Records that the board was asked: commands get through from {@code now} on, or at least the next one may go out unanswered. */
+    /**
+     * Records that the board was asked. Commands may go out from {@code now} on. If the board is still not ready, at least the next
+     * command may.
+     */
     void hasAsked(long now) {
         if (!board.mustAsk()) {
             movedNanos = now;
@@ -64,7 +66,7 @@ final class Version1Commands {
         return underWay != null || mustAskFirst() ? Monitor.FOREVER : writer.nanosUntilCommand();
     }
 
-    /** Nanoseconds until {@link #endArrived} ends a command or {@link #mustLook} becomes true. */
+    /** Returns the nanoseconds until {@link #endArrived} ends a command or {@link #mustLook} becomes true. */
     long nanosUntilArrived(long now) {
         if (!isWritten) {
             return Monitor.FOREVER;
@@ -72,7 +74,7 @@ final class Version1Commands {
         return underWay.isOver() ? 0 : Math.max(0, Math.min(leavesAt - now, lookAt - now));
     }
 
-    /** The command whose turn has come; null: none. The caller then calls {@link #written} or {@link #fail}. */
+    /** Returns the command that may go out now, or null. The caller then calls {@link #written} or {@link #fail}. */
     SessionLine.Outgoing next() {
         if (nanosUntilBegin() > 0) {
             return null;
@@ -100,23 +102,23 @@ final class Version1Commands {
         }
     }
 
-    /** Records that a command was written by {@code now}; its last byte leaves at {@code left}. */
+    /** Records that a command was written by {@code now}. The command's last byte leaves at {@code left}. */
     void written(Command command, long left, long now) {
-        if (command == underWay) { // the command has not failed meanwhile
+        if (command == underWay) { // else the command has failed already
             isWritten = true;
             leavesAt = left;
             lookAt = now + WATCH_NANOS;
         }
     }
 
-    /** Returns whether the device must be checked now, since a command takes long to leave. */
+    /** Returns whether the device must be checked now, because a command takes long to leave. */
     boolean mustLook(long now) {
         boolean isTime = isWritten && lookAt - now <= 0;
         lookAt = isTime ? now + WATCH_NANOS : lookAt;
         return isTime;
     }
 
-    /** Ends the command under way if its last byte has left by {@code now}, or if nobody waits for its outcome any more. */
+    /** Ends the command under way if its last byte has left by {@code now}, or if its outcome is known. */
     void endArrived(long now) {
         if (isWritten && (leavesAt - now <= 0 || underWay.isOver())) {
             movedNanos = isHeldBack ? movedNanos : now;
@@ -124,7 +126,7 @@ final class Version1Commands {
         }
     }
 
-    /** Fails a command, unless its outcome is known already. */
+    /** Fails a command if it is still under way. */
     void fail(Command command, Throwable failure) {
         if (command == underWay) {
             end(failure);

@@ -6,11 +6,11 @@ import javino.LineClock;
 import javino.PortException;
 
 /**
- * Asks and listens in version 1: sends requests, and finds the answer to the last request among the messages from the board. Times are
- * nanoseconds of the link's clock. One thread at a time.
+ * Asks and listens in version 1: sends requests, and finds the answer to the last request among the board's messages. Times are
+ * nanoseconds of the link's clock. Not thread-safe.
  */
 final class Version1Requests {
-    /** Milliseconds after which a board that may be starting is asked again. */
+    /** Milliseconds after which a request to a board that may be starting is repeated. */
     static final int REPEAT_MILLIS = 250;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(Pacer.QUIET_MILLIS);
@@ -20,9 +20,9 @@ final class Version1Requests {
     private final LineClock clock;
     private final KnownBoard board;
     private final OwedAnswers owed = new OwedAnswers();
-    private boolean isListening; // a caller wants messages that the board sends unasked
-    private boolean isForAction; // the board is asked because an action is to be sent; nobody wants the answer
-    private Reply overheard; // answer to a request that an action needed, kept for a caller that listens; null: none
+    private boolean isListening; // a caller waits for messages that the board sends unasked
+    private boolean isForAction; // the request only precedes an action; nobody wants the answer
+    private Reply overheard; // answer to such a request, kept for a caller that listens, or null
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
@@ -31,12 +31,12 @@ final class Version1Requests {
         this.board = board;
     }
 
-    /** Sets whether requests from now on are made only because of an action. */
+    /** Sets whether later requests only precede an action. */
     void askForAction(boolean value) {
         isForAction = value;
     }
 
-    /** Sends a request and returns its answer; null: none comes in time. Repeats the request while the board may be starting. */
+    /** Sends a request and returns its answer, or null if none comes in time. Repeats the request while the board may be starting. */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         overheard = null;
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -52,7 +52,7 @@ final class Version1Requests {
         return completed(answer, timeoutMillis);
     }
 
-    /** Repeats the request until it is answered, or until {@code giveUp}; null: no answer. */
+    /** Repeats the request until an answer comes, at most until {@code giveUp}. Returns null if no answer came. */
     Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
         long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
         Reply answer = null;
@@ -71,7 +71,7 @@ final class Version1Requests {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (board.speaks2()) { // a session may have begun meanwhile, which a request of version 1 would end
+            if (board.speaks2()) { // a session may have begun, and this request would end it
                 return null;
             }
             inbox.sends(request);
@@ -83,7 +83,7 @@ final class Version1Requests {
         return sent;
     }
 
-    /** Completes an exchange whose first message is {@code first}; returns the answer. */
+    /** Completes an exchange whose first message is {@code first}. Returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
         board.heard();
         Reply answer = last(first, timeoutMillis);
@@ -94,7 +94,7 @@ final class Version1Requests {
         return answer;
     }
 
-    /** The newest message that the board sends of its own accord; null: none comes by {@code deadline}. */
+    /** Returns the newest message that the board sends on its own, or null if none comes by {@code deadline}. */
     Reply listen(long deadline) throws PortException {
         isListening = true;
         Reply message = overheard != null ? overheard : inbox.next(deadline);
@@ -107,11 +107,14 @@ final class Version1Requests {
         return newest(message);
     }
 
-    /** The next message, if complete by {@code deadline}, or begun by then and complete by {@code giveUp}; null: there is none. */
+    /**
+     * Returns the next message if it is complete by {@code deadline}. If it has begun by then, waits for its end until {@code giveUp}.
+     * Returns null if no message comes.
+     */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop what has come
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop the bytes that have come
         }
         return answer;
     }
@@ -150,6 +153,6 @@ final class Version1Requests {
                 return last;
             }
         }
-        return last; // the line never fell silent: the next answer may be late too
+        return last; // the line never fell silent, so the next answer may also be late
     }
 }

@@ -3,10 +3,10 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Holds actions back from a version 1 board that has missed an answer, if the board has answered before. Such a board does not read, and
- * its buffer is soon full. So the board gets only requests and urgent actions until an answer comes, or for {@value #HOLD_MILLIS} ms if no
- * request follows. A board that has never answered gets its actions: it may be a board that only acts. Times are nanoseconds of one steady
- * clock. Guarded by its user's lock.
+ * Holds actions back from a version 1 board that has answered before and has missed its last answer. Such a board does not read, and its
+ * buffer is soon full. The board gets only requests and urgent actions until an answer comes. If no request follows, the hold ends after
+ * {@value #HOLD_MILLIS} ms. A board that has never answered gets its actions, because it may only act. Times are nanoseconds of one
+ * steady clock. Guarded by its user's lock.
  */
 final class Version1SilenceHold {
     static final int HOLD_MILLIS = 2_000;
@@ -19,7 +19,7 @@ final class Version1SilenceHold {
         hold(end);
     }
 
-    /** Records that the time for the answer to the last request is over at {@code now}. */
+    /** Records at {@code now} that the answer to the last request did not come in time. */
     void unanswered(long now) {
         isSilent = true;
         hold(now);
@@ -35,7 +35,7 @@ final class Version1SilenceHold {
         return hasAnswered && !isSilent;
     }
 
-    /** Nanoseconds until actions may go out again if no answer comes; 0: they may go out now. */
+    /** Returns the nanoseconds until actions may go out again if no answer comes; 0: they may go out now. */
     long nanosHeld(long now) {
         return isSilent && hasAnswered ? Math.max(0, heldUntil - now) : 0;
     }

@@ -17,8 +17,8 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The session with a board of version 2: its frames, its answers, and the facts that it brings to light. Guarded by the line's lock, which
- * the caller holds except for methods marked "Any thread".
+ * The session with a board of version 2. Makes its frames, and keeps its answers. Guarded by the line's lock. The caller holds the lock,
+ * except for methods marked "Any thread".
  */
 final class Version2Session implements SessionListener<Command>, Inbox.Listener {
     private static final int NONE = -1;
@@ -32,16 +32,16 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private final int answerLimit;
     private final ComputerSession<Command> session;
     private final CommandFailures failures;
-    private volatile long movedNanos; // time at which the board was last heard
+    private volatile long movedNanos; // time of the board's last frame while a session is possible
     private long receivedNanos; // time of the last frame
     private volatile Reply answer;
-    private volatile Reply heard; // the newest percepts that came unasked
-    private long askedBehind; // bytes written before the request for percepts; NONE: the request has not gone out
+    private volatile Reply heard; // newest percepts that came unasked
+    private long askedBehind; // bytes written before the request for percepts; NONE if it has not gone out
     private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
     private Throwable
-            failure; // the failure for commands not acknowledged when the session closes; null: they are unconfirmed
-    private boolean hasDropped; // an answer was dropped, and no answer has come since
+            failure; // failure for unacknowledged commands when the session closes; null: they are unconfirmed
+    private boolean hasDropped; // whether an answer was dropped and no answer has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
     private boolean hasToldUndescribed;
@@ -75,12 +75,12 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return monitor.get(session::isOpen);
     }
 
-    /** A HELLO to a board that may speak version 2. Any thread. */
+    /** Returns HELLO for a board that may speak version 2. Any thread. */
     byte[] hello() {
         return monitor.get(() -> session.hello().toBytes(0));
     }
 
-    /** The time at which the board was last heard. Any thread. */
+    /** Returns the time of the board's last frame while a session is possible. Any thread. */
     long movedNanos() {
         return movedNanos;
     }
@@ -117,7 +117,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         monitor.change(session::cancelRequest);
     }
 
-    /** The answer to the last request; null: none has come. Any thread. */
+    /** Returns the answer to the last request, or null. Any thread. */
     Reply answer() {
         return answer;
     }
@@ -127,7 +127,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return heard != null;
     }
 
-    /** Takes the newest percepts that came unasked; null: none. Any thread. */
+    /** Takes the newest percepts that came unasked, or null. Any thread. */
     Reply takeHeard() {
         return monitor.get(() -> {
             Reply newest = heard;
@@ -136,7 +136,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether something is awaited from the board besides answers to requests. */
+    /** Returns whether any frame is awaited besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }
@@ -145,7 +145,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
     }
 
-    /** The frame to write now, of the current session even if another session begins before the write; null: none. */
+    /** Returns the frame to write now, or null. The frame keeps its session's nonce even if another session begins before the write. */
     SessionLine.Outgoing next(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
@@ -161,7 +161,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         session.wrote(leavesAt);
     }
 
-    /** Fails the commands that were sent but not acknowledged. Begins another session if the line is still there. */
+    /** Fails the unacknowledged commands. Begins another session if the line is still open. */
     void abandon(Throwable why) {
         failure = why;
         session.close(clock.nanos());
@@ -175,7 +175,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     public void received(WireFrame frame, long now) {
         receivedNanos = now;
         session.received(frame, now);
-        if (board.noSession().isEmpty()) { // while no session is possible, waiting commands must be given up in time
+        if (board.noSession().isEmpty()) { // while no session is possible, waiting commands must fail in time
             movedNanos = now;
         }
         if (session.isSettled()) {

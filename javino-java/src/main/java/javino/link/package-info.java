@@ -1,5 +1,5 @@
 /**
- * A link is an open port through which one owner exchanges messages with a board, at the pace of the line and in the board's version of the
- * protocol. {@link javino.link.Link} is the way in.
+ * Links: open ports through which one owner exchanges messages with a board. A link keeps the pace of the line and speaks the board's
+ * version of the protocol. Start with {@link javino.link.Link}.
  */
 package javino.link;

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Finds the processes that have a device open. It needs {@code /proc}, and sees only processes that this user may inspect. */
+/** Finds the processes that have a device open. Needs {@code /proc}, and sees only processes that this user may inspect. */
 final class DeviceHolders {
     private DeviceHolders() {}
 
@@ -15,8 +15,8 @@ final class DeviceHolders {
     private static final String MASTER = "ptmx";
 
     /**
-     * The other processes that hold the device, in words ({@code process 4711 (minicom)}). Empty if none can be seen, or if the device has
-     * no file. The program at the far end of a pseudo-terminal is left out: it is the board.
+     * Returns the other processes that hold the device, such as {@code process 4711 (minicom)}. Empty if none can be seen, or if the
+     * device has no file. Leaves out the program at the far end of a pseudo-terminal, because that program is the board.
      */
     static List<String> of(SerialDevice device) {
         if (!device.hasNode()) {
@@ -37,7 +37,7 @@ final class DeviceHolders {
             return all.stream().anyMatch(descriptor -> device.equals(target(descriptor)))
                     && all.stream().noneMatch(descriptor -> isMaster(descriptor, device));
         } catch (IOException | UncheckedIOException e) {
-            return false; // no /proc here, another user's process, or one that has just ended
+            return false; // no /proc, another user's process, or a process that has just ended
         }
     }
 
@@ -45,11 +45,14 @@ final class DeviceHolders {
         try {
             return Files.readSymbolicLink(descriptor);
         } catch (IOException e) {
-            return null; // closed while we looked
+            return null; // the descriptor has just been closed
         }
     }
 
-    /** Returns whether a descriptor is the far end of the pseudo-terminal {@code device}: Linux writes its number to {@code fdinfo}. */
+    /**
+     * Returns whether a descriptor is the far end of the pseudo-terminal {@code device}. Linux writes the terminal's number to
+     * {@code fdinfo}.
+     */
     private static boolean isMaster(Path descriptor, Path device) {
         Path target = target(descriptor);
         if (target == null || !target.endsWith(MASTER) || !device.toString().startsWith(TERMINALS)) {
@@ -60,7 +63,7 @@ final class DeviceHolders {
             String number = device.toString().substring(TERMINALS.length());
             return Files.readAllLines(info).contains("tty-index:\t" + number);
         } catch (IOException e) {
-            return false; // closed while we looked
+            return false; // the descriptor has just been closed
         }
     }
 

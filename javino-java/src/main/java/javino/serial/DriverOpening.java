@@ -9,11 +9,11 @@ import java.util.function.IntSupplier;
 import javino.PortInterruptedException;
 
 /**
- * Opens devices one after the other, since jSerialComm keeps only one error code in the whole program: that of the last failed opening.
- * While a driver takes long, as for Bluetooth, other openings wait only a moment and then begin. Safe on any thread.
+ * Opens devices one after the other, because jSerialComm keeps only the error code of the last failed opening. If a driver takes long, as
+ * for Bluetooth, other openings begin after a short wait. Safe on any thread.
  */
 final class DriverOpening {
-    /** Takes the place of an error code that may belong to another opening. */
+    /** Replaces an error code that may belong to another opening. */
     static final int UNKNOWN_CODE = -1;
 
     private final ReentrantLock turn = new ReentrantLock(true);
@@ -24,9 +24,9 @@ final class DriverOpening {
     }
 
     /**
-     * @param open opens the device by its driver; false: the driver failed
-     * @param errorCode gives the driver's error code for the failure
-     * @return empty: the device is open; else the driver's error code or {@link #UNKNOWN_CODE}
+     * @param open opens the device by its driver; returns false if the driver failed
+     * @param errorCode returns the driver's error code for the failure
+     * @return empty if the device is open; else the driver's error code or {@link #UNKNOWN_CODE}
      */
     OptionalInt open(String port, BooleanSupplier open, IntSupplier errorCode) throws PortInterruptedException {
         boolean alone = awaitTurn(port);

@@ -10,23 +10,23 @@ enum OpenFailure {
     NO_PERMISSION,
     OTHER;
 
-    // errno of Linux and macOS, which differ only for EAGAIN (another process holds the lock)
+    // errno of Linux and macOS; only EAGAIN (another process holds the lock) differs
     private static final Set<Integer> POSIX_NO_DEVICE =
             Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */, 21 /* EISDIR */, 25 /* ENOTTY */);
     private static final Set<Integer> POSIX_NOT_ALLOWED = Set.of(1 /* EPERM */, 13 /* EACCES */);
     private static final Set<Integer> POSIX_BUSY = Set.of(11 /* EAGAIN */, 16 /* EBUSY */, 35 /* EAGAIN on macOS */);
     private static final int POSIX_ENOENT = 2;
 
-    // GetLastError of Windows: a port that another program has open answers "access denied"
+    // GetLastError of Windows: ERROR_ACCESS_DENIED means that another program has the port open
     private static final Set<Integer> WINDOWS_NO_DEVICE =
             Set.of(2 /* ERROR_FILE_NOT_FOUND */, 3 /* ERROR_PATH_NOT_FOUND */);
     private static final Set<Integer> WINDOWS_BUSY =
             Set.of(5 /* ERROR_ACCESS_DENIED */, 32 /* ERROR_SHARING_VIOLATION */);
 
-    /** @param exists whether the device's node is there */
+    /** @param exists whether the device's file exists */
     static OpenFailure posix(int code, boolean exists) {
         if (code == POSIX_ENOENT) {
-            // jSerialComm's own code 2 means that this program itself has the port open
+            // jSerialComm also uses code 2 if this program already has the port open
             return exists ? OPEN_IN_THIS_PROGRAM : NO_SUCH_PORT;
         }
         if (!exists || POSIX_NO_DEVICE.contains(code)) {

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The name and the path of a serial device. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name on
- * Windows.
+ * The name and the path of a serial device. On Linux and macOS, the path of a name without a slash is {@code /dev/NAME}. On Windows the
+ * path is the name itself.
  */
 record SerialDevice(String name, String path) {
     private static final String DOS_NAMESPACE = "\\\\.\\";
@@ -25,7 +25,7 @@ record SerialDevice(String name, String path) {
         return new SerialDevice(name, name.contains("/") ? name : "/dev/" + name);
     }
 
-    /** The same address for all names of this device: the path with its symbolic links followed. */
+    /** Returns one address for all names of this device: the path without symbolic links. */
     String canonicalAddress() {
         if (!hasNode()) {
             return path.toUpperCase(Locale.ROOT); // COM8 and com8 are one port
@@ -33,7 +33,7 @@ record SerialDevice(String name, String path) {
         try {
             return Path.of(path).toRealPath().toString();
         } catch (IOException | InvalidPathException e) {
-            return path; // nothing is there, so there is no other name
+            return path; // a missing device has no other name
         }
     }
 
@@ -41,7 +41,7 @@ record SerialDevice(String name, String path) {
         return !hasNode() || new File(path).exists(); // without a device file, only the driver knows
     }
 
-    /** Returns whether the device has a file, as it does everywhere but on Windows. */
+    /** Returns whether the device has a file. Windows devices have none. */
     boolean hasNode() {
         return path.contains("/");
     }

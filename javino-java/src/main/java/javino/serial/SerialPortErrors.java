@@ -13,9 +13,9 @@ import javino.PortException;
 import javino.PortFaultException;
 import javino.PortPermissionException;
 
-/** Tells a person why a serial device cannot be opened, and what to do. */
+/** Explains why a serial device cannot be opened, and what to do. */
 final class SerialPortErrors {
-    /** Groups that a user should not join just to reach a board. */
+    /** Groups that a user should not join only to reach a board. */
     private static final Set<String> SYSTEM_GROUPS = Set.of("root", "wheel");
 
     private SerialPortErrors() {}

@@ -6,12 +6,12 @@ import java.util.OptionalInt;
 /**
  * The operating system's description of a serial device.
  *
- * @param name the port's name as {@link javino.link.Link#open} takes it: {@code ttyACM0}, {@code COM8}
- * @param path the port's path in the file system; on Windows its name
- * @param product the name that the device gives itself, if any
+ * @param name the port's name for {@link javino.link.Link#open}: {@code ttyACM0}, {@code COM8}
+ * @param path the port's path in the file system; on Windows the port's name
+ * @param product the device's own name, if any
  * @param manufacturer the device's manufacturer, if known
  * @param vendorId the USB vendor's number, if it is a USB device
- * @param productId the vendor's number of the product, if it is a USB device
+ * @param productId the product's number, if it is a USB device
  * @param serialNumber the device's serial number, if it has one
  */
 public record SerialPortInfo(
@@ -22,7 +22,7 @@ public record SerialPortInfo(
         OptionalInt vendorId,
         OptionalInt productId,
         Optional<String> serialNumber) {
-    /** The port's USB identity: {@code usb:2341:0043}, or {@code usb:2341:0043:SERIAL}; empty: it is not on USB. */
+    /** Returns the port's USB identity: {@code usb:2341:0043}, or {@code usb:2341:0043:SERIAL}. Empty if the port is not on USB. */
     public Optional<String> usbName() {
         if (vendorId.isEmpty() || productId.isEmpty()) {
             return Optional.empty();

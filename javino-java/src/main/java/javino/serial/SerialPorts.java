@@ -10,14 +10,14 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javino.PortFaultException;
 
-/** Lists and describes serial devices without opening them, since opening resets most boards. Safe on any thread. */
+/** Lists and describes serial devices without opening them, because opening resets most boards. Safe on any thread. */
 public final class SerialPorts {
     private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a missing text
 
     private SerialPorts() {}
 
     /**
-     * The present serial devices, in alphabetical order of their names.
+     * Returns the present serial devices, sorted by name.
      *
      * @throws PortFaultException if the driver's native library cannot be loaded; the message says what to do
      */
@@ -32,7 +32,7 @@ public final class SerialPorts {
         }
     }
 
-    /** Like {@link #list}, but empty if jSerialComm cannot run; an attempt to open a device then reports the cause. */
+    /** Like {@link #list}, but returns an empty list if jSerialComm cannot run. Opening a device then reports the cause. */
     static List<SerialPortInfo> present() {
         try {
             return list();
@@ -57,7 +57,7 @@ public final class SerialPorts {
                 known(port.getSerialNumber()));
     }
 
-    /** The name by which the port is opened. For a device in a folder of {@code /dev}, such as a pseudo-terminal, the name is its path. */
+    /** Returns the name that opens the port. For a device in a folder of {@code /dev}, such as a pseudo-terminal, returns its path. */
     private static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
         return device.hasNode() && !device.path().equals(port.getSystemPortPath())
@@ -74,14 +74,14 @@ public final class SerialPorts {
     }
 
     /**
-     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty: no process has it open, or this
-     * user cannot see the processes, as on every system without {@code /proc}.
+     * Returns the other processes that have a serial device open, such as {@code process 4711 (minicom)}. Empty if there are none, or if
+     * this user cannot see them. Without {@code /proc} nobody can.
      */
     public static List<String> holders(String port) {
         return DeviceHolders.of(SerialDevice.of(port));
     }
 
-    /** Says how this user gets permission to open a device; empty: the user has it, or only opening the device would show a lack. */
+    /** Returns how this user gets permission to open a device. Empty if the user has it, or if only an attempt to open would show. */
     public static Optional<String> permissionRemedy(String port) {
         SerialDevice device = SerialDevice.of(port);
         if (!device.hasNode() || !device.exists()) {

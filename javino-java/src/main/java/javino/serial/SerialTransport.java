@@ -12,42 +12,42 @@ import javino.LineSettings;
 import javino.PortException;
 import javino.PortInterruptedException;
 
-/** A serial device, or a pseudo-terminal in place of a device, through jSerialComm. */
+/** A serial device or a pseudo-terminal, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
-    /** The time for which one read of the driver waits; the driver counts in tenths of a second. */
+    /** The longest wait of one driver read. The driver counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
 
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final int READ_END_MILLIS = 2_000;
     private static final int CLOSE_MILLIS = 2_000;
-    /** The shortest interval at which the driver is asked for bytes, in the last slice of a wait; used on a line that was just in use. */
+    /** The shortest interval between two checks for bytes, right after the line was in use. */
     private static final long POLL_NANOS = 250_000L;
-    /** The longest interval, used on a line that has long been still: unasked messages are rare, and asking the driver takes time. */
+    /** The longest interval, for a line that has long been quiet. Unasked messages are rare, and each check takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** The interval is the time since the last byte divided by this number. */
     private static final int STILL_SHARE = 8;
 
-    /** The time for which a close waits until written bytes have left the driver; then it drops the rest. */
+    /** The longest wait of a close for written bytes to leave the driver. The close then drops the rest. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that any driver certainly takes. This size counts for drivers that do not tell how many bytes wait, as for pseudo-terminals. A
+     * Bytes that any driver certainly takes. Used for drivers that do not count waiting bytes, such as pseudo-terminals. A
      * pseudo-terminal of Linux holds four times this number. One of macOS holds more than this number at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
-    /** Locked while the driver reads, so that no other thread closes the driver meanwhile. */
+    /** Held while the driver reads, so no other thread closes the driver. */
     final ReentrantLock reading = new ReentrantLock();
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
     private volatile long stillSince = System.nanoTime();
-    /** True: the driver has shown that it counts the bytes that wait in it. */
+    /** Whether the driver has shown that it counts waiting bytes. */
     private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -71,7 +71,7 @@ final class SerialTransport extends DriverTransport {
 
     private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
         if (!device.exists()) {
-            // jSerialComm would look for a device of that name elsewhere
+            // jSerialComm would look for the device elsewhere
             throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         }
         SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
@@ -88,7 +88,7 @@ final class SerialTransport extends DriverTransport {
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
         boolean slice =
-                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so that a read of almost a slice counts as a whole one
+                nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so a read of almost a slice counts as a whole slice
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();
@@ -99,8 +99,8 @@ final class SerialTransport extends DriverTransport {
     }
 
     /**
-     * The time until the driver is asked for bytes again, on a line that has been still for {@code stillNanos}. At 50 Hz, asking costs more
-     * than all other work.
+     * Returns the time until the next check for bytes, on a line that has been quiet for {@code stillNanos}. At 50 Hz the checks would
+     * cost more than all other work.
      */
     static long pollNanos(long stillNanos) {
         return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
@@ -123,7 +123,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Takes the lock {@link #reading}. An interrupt ends the wait; an interrupted thread still gets a free lock. */
+    /** Takes the lock {@link #reading}. An interrupt ends the wait. If the lock is free, an interrupted thread gets it. */
     private void awaitReading() throws PortInterruptedException {
         try {
             if (!reading.tryLock()) {
@@ -157,7 +157,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
-        boolean interrupted = Thread.interrupted(); // so that an interrupted thread, too, closes the port carefully
+        boolean interrupted = Thread.interrupted(); // an interrupted thread must also close the port in order
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         boolean readingEnded = false;
@@ -179,7 +179,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Closes the port, which ends a waiting write. Returns false if the driver takes too long. */
+    /** Closes the port and so ends a waiting write. Returns false if the driver takes too long. */
     private boolean closePort() {
         Thread closing = new Thread(port::closePort, "close " + name());
         closing.setDaemon(true);
@@ -200,7 +200,7 @@ final class SerialTransport extends DriverTransport {
                         "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
-    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}. Does nothing if the device is lost. */
+    /** Waits until the written bytes have left the driver, at most {@link #MAX_LINGER_NANOS}. Does nothing if the device is lost. */
     private void linger() {
         long now = System.nanoTime();
         long deadline = now + MAX_LINGER_NANOS;

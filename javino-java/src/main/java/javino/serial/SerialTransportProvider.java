@@ -7,7 +7,7 @@ import javino.Transport;
 import javino.TransportProvider;
 import javino.Transports;
 
-/** Serial devices. */
+/** Opens serial devices. */
 public final class SerialTransportProvider implements TransportProvider {
     @Override
     public String scheme() {

@@ -5,14 +5,14 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javino.NoSuchPortException;
 
-/** Finds the device with a given USB identity among the serial devices that {@code present} returns. */
+/** Finds the device with a given USB identity among the serial devices of {@code present}. */
 record UsbDevices(Supplier<List<SerialPortInfo>> present) {
-    /** macOS has two names for each device. A name that begins like this is for incoming calls; the other name is the one to open. */
+    /** macOS has two names for each device. A name with this prefix is for incoming calls. Programs open the other name. */
     private static final String MAC_CALL_IN = "tty.";
 
     private static final String MAC_CALL_OUT = "cu.";
 
-    /** @throws NoSuchPortException if not exactly one device has this identity; lists the devices */
+    /** @throws NoSuchPortException if no device or several devices have this identity; the message lists the devices */
     SerialDevice device(String port, String address) throws NoSuchPortException {
         List<SerialPortInfo> fitting = fitting(port, address);
         return switch (fitting.size()) {

@@ -8,7 +8,7 @@ import javino.NoSuchPortException;
 /**
  * The identity of a device on USB, independent of its name: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
  *
- * @param serialNumber compared without regard to case, as Windows changes the case; empty: any number fits
+ * @param serialNumber the device's serial number, or empty for any. Upper and lower case are equal, because Windows changes the case
  */
 record UsbIdentity(int vendor, int product, String serialNumber) {
     private static final Pattern FORM = Pattern.compile("([0-9A-Fa-f]{1,4}):([0-9A-Fa-f]{1,4})(?::(.+))?");

@@ -9,21 +9,21 @@ import javino.Transport;
 import javino.TransportProvider;
 import javino.Transports;
 
-/** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, under any name. */
+/** Opens the serial device that has a given USB identity: {@code usb:2341:0043} or {@code usb:2341:0043:SERIAL}. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
 
     private final String scheme;
     private final UsbDevices devices;
 
-    /** The scheme {@code usb} and the devices of this machine. */
+    /** Creates a provider with the scheme {@code usb} for the devices of this machine. */
     public UsbTransportProvider() {
         this(SCHEME, SerialPorts::present);
     }
 
     /**
-     * A provider for devices of another list than the driver's.
-     * @param present the serial devices there are now; called on any thread, about once a second while a device is missing
+     * Creates a provider for another list of devices.
+     * @param present returns the present serial devices; called on any thread, about once a second while a device is missing
      */
     protected UsbTransportProvider(String scheme, Supplier<List<SerialPortInfo>> present) {
         this.scheme = scheme;

@@ -1,6 +1,6 @@
 /**
- * Opens serial devices, by the name that the operating system gives them and by their USB identity, through jSerialComm.
+ * Opens serial devices by their names or by their USB identities, through jSerialComm.
  *
- * <p>{@link javino.serial.SerialPorts} lists the devices and finds out why one cannot be opened.
+ * <p>{@link javino.serial.SerialPorts} lists the devices and finds out why a device cannot be opened.
  */
 package javino.serial;

@@ -5,7 +5,7 @@ import javino.wire.WireFrame;
 
 /** Joins the parts of answers. */
 final class AnswerParts {
-    /** An answer: the number of its request (0: it came unasked) and its items (null: a part is missing). */
+    /** An answer. The request's number is 0 if the answer came unasked. The items are null if a part is missing. */
     record Answer(int request, String items) {}
 
     private static final int NONE = -1;
@@ -14,7 +14,7 @@ final class AnswerParts {
     private int request = NONE;
     private int parts;
 
-    /** Takes a frame of percepts. Returns the answer if the frame completes it or proves that a part is missing; else null. */
+    /** Takes a frame of percepts. Returns the answer if the frame completes it or shows that a part is missing. Else returns null. */
     Answer accept(WireFrame frame) {
         String payload = frame.payload();
         boolean isWhole = frame.kind() == FrameKind.PERCEPTS;

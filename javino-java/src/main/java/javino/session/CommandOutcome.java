@@ -6,10 +6,10 @@ public enum CommandOutcome {
     DONE,
     /** The board does not know the command, takes other arguments, or refuses it now. */
     REFUSED,
-    /** The board has begun the command, and has later reported a failure. */
+    /** The board has begun the command, and has reported a failure later. */
     FAILED,
     /** The board may or may not have carried the command out. */
     UNCONFIRMED,
-    /** The command is longer than the board takes, so it was not sent. */
+    /** The command was not sent, because it is longer than the board can take. */
     TOO_LONG
 }

@@ -13,11 +13,11 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The computer's end of a line of version 2. The caller gives it the frames that arrive. Whenever the line is free, the caller asks for the
- * next frame to write. The order is: repetitions, a request for percepts, commands, a request for the board's vocabulary.
- * <p>A new session is closed: it sends nothing until {@link #open} is called, or until the board answers a {@link #hello}. From then on one
- * session follows another until {@link #close}, or until the board falls silent. One thread at a time.
- * @param <C> the commands
+ * The computer's end of a line of version 2. The caller passes arriving frames to the session. Whenever the line is free, the caller asks
+ * for the next frame to write. The order is: repetitions, a request for percepts, commands, a request for the board's vocabulary.
+ * <p>A new session is closed and sends nothing. It opens when {@link #open} is called, or when the board answers a {@link #hello}. If a
+ * session ends, another begins, until {@link #close} or until the board falls silent. Not thread-safe.
+ * @param <C> the type of the commands
  */
 public final class ComputerSession<C extends SessionCommand> {
     private enum State {
@@ -35,7 +35,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** So many frames in a row with impossible numbers show that the board has left the current session. */
+    /** The number of frames in a row with impossible numbers that shows that the board has left the session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -48,22 +48,22 @@ public final class ComputerSession<C extends SessionCommand> {
     private final Vocabulary vocabulary = new Vocabulary();
 
     private State state = State.CLOSED;
-    private int nonce; // 0: none was chosen
-    private boolean isEnded; // a session with this nonce is over
+    private int nonce; // 0 until one is chosen
+    private boolean isEnded; // whether a session with this nonce has ended
     private int hellos;
     private long helloAt;
     private Welcome welcome = Welcome.NO_SESSION;
 
     private boolean mustResume;
     private boolean isBusy;
-    private boolean isTimed; // the retransmission timer has run since timerFrom
+    private boolean isTimed; // whether the retransmission timer runs, from timerFrom on
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
-    private long heardAt; // time of the last valid frame, or of the beginning of the wait for one
+    private long heardAt; // time of the last valid frame, or the beginning of the wait for one
     private int silentRepetitions;
     private int impossibleNumbers; // number of frames in a row with an impossible number
-    private FrameKind writing; // the frame that next() returned last
+    private FrameKind writing; // kind of the frame that next() returned last
 
     /**
      * @param byteNanos nanoseconds that a byte takes on the line
@@ -78,7 +78,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests = new Requests(byteNanos);
     }
 
-    /** The session's nonce, with which its frames are checked; 0: there is no session. */
+    /** Returns the session's nonce, which is part of the checksum of its frames. Returns 0 if there is no session. */
     public int nonce() {
         return state == State.OPEN ? nonce : 0;
     }
@@ -88,29 +88,29 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN;
     }
 
-    /** Returns whether something is awaited from the board besides answers to requests. */
+    /** Returns whether any frame is awaited besides answers to requests. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
 
-    /** Returns whether the board has acknowledged or answered all that was sent. */
+    /** Returns whether the board has acknowledged or answered everything. */
     public boolean isSettled() {
         return window.size() == 0 && requests.bytes() == 0;
     }
 
-    /** Sends HELLO from now on, until the board answers. */
+    /** Begins to send HELLO, and repeats it until the board answers. */
     public void open(long now) {
         if (state == State.CLOSED) {
             begin(State.OPENING, now);
         }
     }
 
-    /** Ends the session, if there is one, and sends nothing more. Commands that were sent but not acknowledged end as unconfirmed. */
+    /** Ends the session and sends nothing more. Unacknowledged commands end as unconfirmed. */
     public void close(long now) {
         end(State.CLOSED, now);
     }
 
-    /** A HELLO that may begin a session. The caller need not know whether the board speaks version 2. */
+    /** Returns a HELLO that may begin a session. The board may speak either version. */
     public WireFrame hello() {
         if (nonce == 0 || isEnded) {
             renew();
@@ -123,25 +123,25 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. The frame ends any session that the board has begun, so another session must follow. */
+    /** Records that a frame of version 1 goes out. This frame ends the board's session, so another session must follow. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
-        } else { // WELCOME arrived just before this frame's turn
+        } else { // WELCOME arrived just before this frame went out
             end(State.OPENING, now);
         }
     }
 
-    /** The board's actions in the order of their numbers; empty: not known yet. */
+    /** Returns the board's actions in the order of their numbers. Empty if they are not known yet. */
     public Optional<List<BoardAction>> vocabulary() {
         return vocabulary.actions();
     }
 
     /**
-     * Asks for percepts again and again, until the answer is reported or {@link #cancelRequest} is called. Percepts that arrive before the
-     * request has gone out are not the answer.
+     * Asks for percepts until the answer is reported or {@link #cancelRequest} is called. Percepts that arrive before the request has
+     * gone out do not count as the answer.
      *
-     * @param functors empty for all, or {@code (dist,light)}
+     * @param functors empty for all percepts, or a list such as {@code (dist,light)}
      */
     public void request(String functors, long now) {
         requests.want(functors, now);
@@ -152,7 +152,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Handles a frame that has arrived: WELCOME, or a frame of this session. */
+    /** Handles an arriving frame: WELCOME, or a frame of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
@@ -178,8 +178,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Handles a WELCOME that arrives while there is no session. A WELCOME for an earlier HELLO still proves that the board speaks version
-     * 2. If commands have already begun in the session of the WELCOME, another computer uses the same nonce.
+     * Handles a WELCOME without a session. Even a WELCOME for an earlier HELLO proves that the board speaks version 2. If the WELCOME
+     * shows commands of this session, another computer uses the nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -288,12 +288,12 @@ public final class ComputerSession<C extends SessionCommand> {
         return hasRepeated && now - repeatedAt < timeoutNanos() / NAK_DIVISOR;
     }
 
-    /** Records that bytes have come. */
+    /** Records that bytes have arrived. */
     public void receiving(long now) {
         requests.receiving(now);
     }
 
-    /** Records that a frame with a wrong checksum has come. */
+    /** Records that a frame with a wrong checksum has arrived. */
     public void damaged() {
         requests.damaged();
     }
@@ -320,7 +320,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * The frame to write now; null: there is none. The frame counts as sent; the caller then calls {@link #wrote}.
+     * Returns the frame to write now, or null. The frame counts as sent. The caller then calls {@link #wrote}.
      *
      * @param waiting the commands that the frame may carry
      */
@@ -356,9 +356,9 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame request(long now) {
         if (requests.bytes() > 0) {
-            silentRepetitions++; // the request before this one has no answer yet
+            silentRepetitions++; // the previous request has no answer yet
         } else if (window.size() == 0) {
-            heardAt = now; // until now nothing was awaited
+            heardAt = now; // nothing was awaited until now
         }
         return requests.next(welcome.longestPayload(), nonce);
     }
@@ -371,7 +371,7 @@ public final class ComputerSession<C extends SessionCommand> {
             timeout.timedOut();
             silentRepetitions++;
             window.repeat();
-            isTimed = false; // the timer starts again when the repetition has gone out
+            isTimed = false; // restarts when the repetition has gone out
         }
     }
 
@@ -412,7 +412,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame commands(long now, WaitingCommands<C> waiting) {
         if (isSettled()) {
-            heardAt = now; // until now nothing was awaited
+            heardAt = now; // nothing was awaited until now
         }
         Row row = new Row(isSettled());
         int first = window.size();
@@ -436,21 +436,21 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
-    /** The most bytes that the board takes as the text of a command, or of a change of its rules. */
+    /** Returns the longest text of a command, or of a change of rules, that the board takes, in bytes. */
     public int longestText(boolean isRule) {
         int payload = welcome.longestPayload();
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
     }
 
     private final class Row {
-        private final boolean isFirst; // all other commands are acknowledged, so this frame may exceed the credit
+        private final boolean isFirst; // no other command is unacknowledged, so this frame may exceed the credit
         private String payload = "";
 
         Row(boolean isFirst) {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if the frame and {@linkplain Window#hasRoomFor the board} have room for it; else returns false. */
+        /** Adds an item and returns true. If the frame or {@linkplain Window#hasRoomFor the board} has no room for it, returns false. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
@@ -500,7 +500,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Nanoseconds until {@link #next} has a frame if nothing arrives; {@link Long#MAX_VALUE}: it will have none. */
+    /** Returns the nanoseconds until {@link #next} has a frame if nothing arrives. Returns {@link Long#MAX_VALUE} if there will be none. */
     public long nanosUntilNext(long now, WaitingCommands<C> waiting) {
         return switch (state) {
             case CLOSED -> Long.MAX_VALUE;

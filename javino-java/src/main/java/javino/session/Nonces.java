@@ -7,13 +7,16 @@ import java.util.stream.IntStream;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions. HELLO with such a nonce needs no escape. It contains no {@code f}, with which version 1 frames begin. */
+/**
+ * Chooses the nonces of sessions. HELLO with such a nonce needs no escape. It also contains no {@code f}, because {@code f} begins frames
+ * of version 1.
+ */
 final class Nonces {
     private static final List<Integer> USABLE =
             IntStream.rangeClosed(1, 0xFF).filter(Nonces::isUsable).boxed().toList();
 
     private final RandomGenerator random;
-    private int last = -1; // index of the last chosen nonce; -1: none yet
+    private int last = -1; // index of the last chosen nonce, or -1
 
     Nonces(RandomGenerator random) {
         this.random = random;
@@ -28,7 +31,7 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /** Returns an unused nonce as long as there is one. So a late WELCOME, which has an earlier nonce, cannot answer a new HELLO. */
+    /** Returns an unused nonce, as long as there is one. A late WELCOME has an earlier nonce, so it cannot answer a new HELLO. */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
         return USABLE.get(last);

@@ -7,8 +7,8 @@ import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes longer than twice the smoothed time of
- * earlier answers. The first answer to any request sent since the last answer is taken.
+ * Asks for percepts and reads the answers. Repeats a request if its answer is damaged, or takes longer than twice the smoothed time of
+ * earlier answers. Takes the first answer to any request since the last answer.
  */
 final class Requests {
     private static final int NUMBERS = 255;
@@ -16,11 +16,11 @@ final class Requests {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final int MAX_DOUBLINGS = 4;
-    /** A line that has been silent for this time, or for four byte times if that is longer, is not bringing the answer. */
+    /** The silence after which no answer is arriving. Four byte times count instead if they are longer. */
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     private static final int QUIET_BYTES = 4;
-    /** Arriving bytes postpone a repetition by this time at most: on a line that is never silent, they are not the answer. */
+    /** The longest time by which arriving bytes postpone a repetition. Bytes on a line that is never silent are not the answer. */
     private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final int SMOOTHING = 4;
@@ -29,17 +29,17 @@ final class Requests {
     private final PerceptDecoder reader = new PerceptDecoder();
     private final AnswerParts parts = new AnswerParts();
     private long asked; // number of requests in this session
-    private long answered; // number of requests that are answered, or older than an answered one
-    private String wanted; // functors of the wanted percepts; null: none are wanted
-    private boolean isOut; // a request for the wanted percepts has been sent
+    private long answered; // number of requests that are answered, or precede an answered one
+    private String wanted; // functors of the wanted percepts; null if none are wanted
+    private boolean isOut; // whether a request for the wanted percepts has been sent
     private boolean isDamaged;
     private int repetitions;
     private int doublings;
     private long dueAt;
     private long leftAt;
-    private long smoothedNanos; // smoothed time of the answers; 0: no answer has been timed
+    private long smoothedNanos; // smoothed time of the answers, or 0
     private long lastByteAt;
-    private int bytes; // length of the newest request; 0: it is answered
+    private int bytes; // length of the newest request; 0 if it is answered
 
     Requests(long byteNanos) {
         quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);
@@ -61,7 +61,7 @@ final class Requests {
         return wanted != null;
     }
 
-    /** Forgets the session's state. Percepts that are wanted are requested in the next session. */
+    /** Forgets the session's state. If percepts are wanted, the next session requests them. */
     void reset(long now) {
         reader.forget();
         parts.forget();
@@ -96,7 +96,7 @@ final class Requests {
         }
         isOut = true;
         isDamaged = false;
-        String functors = wanted.length() < longestPayload ? wanted : ""; // too long: asks for all
+        String functors = wanted.length() < longestPayload ? wanted : ""; // if the list is too long, asks for all
         WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
         bytes = frame.toBytes(nonce).length;
         return frame;
@@ -112,12 +112,12 @@ final class Requests {
         lastByteAt = now;
     }
 
-    /** Records that a damaged frame has arrived: it may have been the answer. */
+    /** Records that a damaged frame has arrived. It may be the answer. */
     void damaged() {
         isDamaged |= isOut;
     }
 
-    /** Takes a frame of percepts, and reports an answer that it completes. */
+    /** Takes a frame of percepts. If the frame completes an answer, reports the answer. */
     <C> void accept(WireFrame frame, long now, int limit, SessionListener<C> listener) {
         AnswerParts.Answer answer = parts.accept(frame);
         if (answer == null) {
@@ -135,7 +135,7 @@ final class Requests {
             return;
         }
         long behind = Math.floorMod((asked - 1) % NUMBERS + 1 - answer.request(), (long) NUMBERS);
-        if (behind < asked - answered) { // neither this request nor a later one has been answered
+        if (behind < asked - answered) { // neither this request nor a later one is answered yet
             answered(asked - behind, text, now, listener);
         }
     }

@@ -3,9 +3,8 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte. Each vain
- * repetition doubles the time, up to a limit. {@link ComputerSession} also repeats frames when the board shows that it has missed
- * something.
+ * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte. Each unanswered
+ * repetition doubles the time, up to a limit.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -14,10 +13,10 @@ final class RetransmissionTime {
 
     private static final int SMOOTHING = 8;
 
-    private long smoothedNanos; // smoothed round trip; 0: none has been measured
+    private long smoothedNanos; // smoothed round trip, or 0
     private int doublings;
 
-    /** Records the time from the last byte of a frame to its acknowledgement. The frame was sent only once. */
+    /** Records the time from the last byte of a frame to its acknowledgement. Call this only for a frame that was sent once. */
     void measured(long nanos) {
         long atLeast1 = Math.max(1, nanos);
         smoothedNanos =

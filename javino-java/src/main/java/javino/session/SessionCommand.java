@@ -4,14 +4,14 @@ import javino.wire.CommandItem;
 
 /** A command that a session sends to the board. */
 public interface SessionCommand {
-    /** The command's text, a character a byte; for a command that changes rules, a description for a person. */
+    /** Returns the command's text, one character a byte. For a change of rules, returns a description for a person. */
     String text();
 
-    /** The command's change of the board's rules; null: the text is for the board's program. */
+    /** Returns the command's change of the board's rules. Returns null for a text command. */
     default CommandItem.Rule rule() {
         return null;
     }
 
-    /** Returns whether the command's time is over or nobody waits for its outcome. The board must not carry out such a command. */
+    /** Returns whether the command's time is over or nobody waits for its outcome. The board must not carry out a command that is over. */
     boolean isOver();
 }

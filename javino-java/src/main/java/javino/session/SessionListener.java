@@ -4,44 +4,41 @@ import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
 import javino.wire.Welcome;
 
-/** Receives the reports of a session, while one of the session's methods runs. The listener must not call the session. */
+/** Receives the reports of a session. The session's methods call the listener. The listener must not call the session. */
 public interface SessionListener<C> {
-    /** The board speaks version 2; a session is about to begin. */
+    /** Called when a board of version 2 is found. A session is about to begin. */
     void found();
 
-    /**
-     * The board speaks another {@linkplain Welcome#REVISION revision} of version 2, so no session begins. Called for each WELCOME with
-     * another revision.
-     */
+    /** Called for each WELCOME with an unknown {@linkplain Welcome#REVISION revision} of version 2. No session begins. */
     void otherRevision(int revision);
 
-    /** A session has begun: the board knows no rules. */
+    /** Called when a session has begun. The board holds no rules then. */
     void began(Welcome welcome);
 
-    /** The outcome of a command is known. */
+    /** Called when the outcome of a command is known. */
     void ended(C command, CommandOutcome outcome);
 
-    /** The answer to the request has come. */
+    /** Called with the answer to the request. */
     void answered(String percepts);
 
-    /** Percepts have come unasked. */
+    /** Called with percepts that came unasked. */
     void heard(String percepts);
 
-    /** An answer was dropped: it has more bytes than the limit. */
+    /** Called when an answer was dropped because it is longer than the limit. */
     void dropped();
 
-    /** An intact frame was dropped: its payload has no known form. */
+    /** Called when an intact frame was dropped because its payload cannot be read. */
     void unreadable(FrameKind kind);
 
     /**
-     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known. So the other actions
-     * stay unknown. Called for each empty page.
+     * Called for each page of the board's vocabulary that holds no action, although only {@code described} of {@code total} are known.
+     * The other actions stay unknown.
      */
     void undescribed(int described, int total);
 
-    /** A rule on the board has begun to be met. */
+    /** Called when percepts on the board begin to match a rule. */
     void reported(CriticalReport report);
 
-    /** The session is closed: the board has not answered for so long that another board may be in its place. */
+    /** Called when the session has closed because of a long silence. Another board may be connected now. */
     void lapsed();
 }

@@ -12,14 +12,14 @@ import javino.wire.FrameKind;
 import javino.wire.VocabularyPage;
 import javino.wire.WireFrame;
 
-/** Asks the board for its actions, page by page, and keeps the numbers of the actions without arguments. */
+/** Asks the board for its actions, page by page. Keeps the numbers of the actions that need no arguments. */
 final class Vocabulary {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     private static final int MAX_DOUBLINGS = 6;
     private static final int REQUESTS = 255;
 
     private final List<BoardAction> actions = new ArrayList<>();
-    private final Map<String, Integer> numbers = new HashMap<>(); // numbers of the actions without arguments, by name
+    private final Map<String, Integer> numbers = new HashMap<>(); // by name, for actions that need no arguments
     private int request;
     private int doublings;
     private boolean isWanted;
@@ -46,7 +46,7 @@ final class Vocabulary {
         return complete;
     }
 
-    /** Returns the form in which a command goes out: a rule, a number or a text. An empty text becomes "no command". */
+    /** Returns the form in which a command goes out: a rule, a number or a text. An empty text becomes {@link CommandItem.Nothing}. */
     CommandItem itemOf(SessionCommand command) {
         if (command.rule() != null) {
             return command.rule();
@@ -63,7 +63,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. Nobody reads the line only for a late page. */
+    /** Returns whether a page may come soon. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }
@@ -79,7 +79,7 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page. Returns false if the wanted page has no action although some are still unknown. */
+    /** Takes a page. Returns false if the wanted page is empty although some actions are unknown. */
     boolean accept(VocabularyPage page, long now) {
         if (!asks() || page.first() != actions.size()) {
             return true;

@@ -2,9 +2,9 @@ package javino.session;
 
 /** The commands that have not begun to go out. */
 public interface WaitingCommands<C> {
-    /** The command whose turn is next; null: none waits. */
+    /** Returns the next command, or null if none waits. */
     C head();
 
-    /** Removes the {@link #head}, which goes out now. */
+    /** Removes the {@link #head}, because it goes out now. */
     void begin();
 }

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** The commands that are out, which means sent but not acknowledged, {@value #SIZE} at most; and the frames that carry them. */
+/** The commands that were sent but not acknowledged, {@value #SIZE} at most, and the frames that carry them. */
 final class Window<C> {
     static final int SIZE = 16;
 
@@ -18,7 +18,7 @@ final class Window<C> {
             this.command = command;
         }
 
-        /** Records that "no command" has gone out in this command's place. */
+        /** Records that {@link CommandItem.Nothing} was sent in place of this command. */
         void markVoid() {
             isVoid = true;
         }
@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. Its last command has the index {@code end} - 1 among those that are out. */
+    /** A frame on its way. {@code end} is the index after its last command. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
@@ -37,7 +37,7 @@ final class Window<C> {
     private int unsent;
     private OptionalLong roundTrip = OptionalLong.empty();
 
-    /** The number of the oldest command that is out; if none is out, the number of the next command. */
+    /** Returns the number of the oldest unacknowledged command. If there is none, returns the number of the next command. */
     int oldest() {
         return oldest;
     }
@@ -50,7 +50,7 @@ final class Window<C> {
         return out.size() == SIZE;
     }
 
-    /** The index of the first command that is to be sent again; {@link #size} if there is none. */
+    /** Returns the index of the first command to send again, or {@link #size} if there is none. */
     int unsent() {
         return unsent;
     }
@@ -67,7 +67,7 @@ final class Window<C> {
         return bytes;
     }
 
-    /** Returns whether the board's credit allows a frame of {@code bytes} beside the frames and requests that are on their way. */
+    /** Returns whether the board's credit allows another frame of {@code bytes}. */
     boolean hasRoomFor(int bytes, int requestBytes, int credit) {
         return bytes() + requestBytes + bytes <= credit;
     }
@@ -76,7 +76,7 @@ final class Window<C> {
         out.add(new Entry<>(command));
     }
 
-    /** Marks all commands that are out to be sent again. */
+    /** Marks all unacknowledged commands to be sent again. */
     void repeat() {
         unsent = 0;
         frames.clear();
@@ -95,7 +95,7 @@ final class Window<C> {
         }
     }
 
-    /** Removes and returns the {@code count} oldest commands, which the board has handled by {@code now}. */
+    /** Removes and returns the {@code count} oldest commands. The board has handled them by {@code now}. */
     List<Entry<C>> acknowledge(int count, long now) {
         List<Entry<C>> handled = new ArrayList<>(out.subList(0, count));
         out.subList(0, count).clear();
@@ -114,7 +114,7 @@ final class Window<C> {
         return handled;
     }
 
-    /** The round trip of the newest acknowledged frame that was sent only once; empty: there is none. */
+    /** Returns the round trip of the newest acknowledged frame, if that frame was sent only once. */
     OptionalLong roundTrip() {
         return roundTrip;
     }

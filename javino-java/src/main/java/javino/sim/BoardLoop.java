@@ -23,8 +23,8 @@ import javino.wire.WireFrame;
 
 /**
  * Runs a board's program: reads messages from a line, lets the program handle them one by one, and answers each in its protocol version.
- * <p>One loop serves one opening of the port. The board's thread calls all methods; only {@link #say} and {@link #write} are safe on any
- * thread.
+ * <p>A loop serves one opening of the port. Only the board's thread calls the methods. Exception: {@link #say} and {@link #write} are
+ * safe on any thread.
  */
 public final class BoardLoop {
     private static final System.Logger LOG = System.getLogger(BoardLoop.class.getName());
@@ -35,36 +35,36 @@ public final class BoardLoop {
     private final Transport line;
     private final BoardProgram program;
     private final LineClock clock;
-    private final Lock writing; // a test sends on its own thread
-    private final Condition never; // a condition of the lock writing that is never signalled
+    private final Lock writing; // tests send on other threads
+    private final Condition never; // condition of the lock writing; never signalled
     private final BoardReceiver receiver;
     private final BoardSession session;
     private final Deque<BoardReceiver.Found> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
-    private volatile int version = 1; // protocol version of the message that was handled last
-    // the receiver's clock: the sum of all silences, so bytes that waited for this thread do not count as late
+    private volatile int version = 1; // protocol version of the last handled message
+    // the receiver's clock: the sum of all silences. Bytes that waited for this thread therefore do not count as late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;
     private boolean isLooking;
     private boolean hasToldLeftOut;
-    private boolean isHandlingCommands; // true: further commands of the frame may follow
+    private boolean isHandlingCommands; // further commands of the frame may follow
     private boolean isAnswering;
     private int requestBytes;
     private int answerBytes;
     private long read; // number of bytes read
-    private volatile long handled; // number of bytes read when all messages had last been handled
+    private volatile long handled; // value of read when the last message was handled
     private volatile int silences;
 
-    /** A loop that reads both versions and watches no rules. */
+    /** Creates a loop that reads both versions and watches no rules. */
     public BoardLoop(Transport line, BoardProgram program, LineClock clock) {
         this(line, program, Protocol.AUTO, BoardSession.Capacity.FULL, clock);
     }
 
     /**
-     * @param line the board's end of the line, with the clock {@code clock}
-     * @param reads the version whose messages it finds, or both
+     * @param line the board's end of the line, whose waits use {@code clock}
+     * @param reads the version whose messages are read, or both
      * @param capacity the capacity that the board reports to computers of version 2
      */
     public BoardLoop(
@@ -83,7 +83,7 @@ public final class BoardLoop {
                 arrived::add);
     }
 
-    /** The nonce with which new bytes are checked: that of the session which unhandled messages begin, else of the present one; 0: none. */
+    /** Returns the nonce for checking new bytes, or 0. If an unhandled message begins a session, this is the nonce of that session. */
     private int nonce() {
         Iterator<BoardReceiver.Found> newestFirst = arrived.descendingIterator();
         while (newestFirst.hasNext()) {
@@ -95,20 +95,20 @@ public final class BoardLoop {
         return session.nonce();
     }
 
-    /** Handles messages until the line is gone; then throws {@link javino.PortGoneException}. */
+    /** Handles messages until the line is gone. Then throws {@link javino.PortGoneException}. */
     public void run() throws PortException, InterruptedException {
         while (true) {
             step(READ_MILLIS);
         }
     }
 
-    /** Handles the next message; waits for it at most {@code timeoutMillis}, or a few milliseconds if the board watches rules. */
+    /** Handles the next message. Waits at most {@code timeoutMillis} for it, or a few milliseconds if the board watches rules. */
     public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);
         handleNext();
     }
 
-    /** Waits for bytes, unless a message waits to be handled. Then takes all bytes that have arrived. */
+    /** Waits for bytes, unless a message waits already. Then takes all bytes that have arrived. */
     void receive(int timeoutMillis) throws PortException {
         board = Thread.currentThread();
         boolean waits = arrived.isEmpty();
@@ -117,7 +117,7 @@ public final class BoardLoop {
         try {
             count = line.read(buffer, 0, buffer.length, waits ? patience(timeoutMillis) : 0);
         } catch (PortGoneException e) {
-            if (waits) { // otherwise a message that has arrived is handled first
+            if (waits) { // else the waiting message is handled first
                 throw e;
             }
         }
@@ -139,7 +139,7 @@ public final class BoardLoop {
         return session.hasRules() ? Math.min(timeoutMillis, LOOK_MILLIS) : timeoutMillis;
     }
 
-    /** Handles a message that has arrived, if any. Checks whether rules are met. */
+    /** Handles a waiting message, if there is one. Then compares the percepts with the rules. */
     void handleNext() throws PortException, InterruptedException {
         BoardReceiver.Found found = arrived.poll();
         if (found != null && found.version2() != null) {
@@ -186,7 +186,7 @@ public final class BoardLoop {
                 || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
             return;
         }
-        isLooking = true; // so that frames which this look sends cause no second look
+        isLooking = true; // frames that this call sends must not cause another look
         try {
             String percepts = program.sensors();
             session.look(percepts == null ? "" : percepts);
@@ -200,7 +200,7 @@ public final class BoardLoop {
         return arrived.size();
     }
 
-    /** Removes and returns the oldest unhandled message; empty: the message is of version 2, so the computer repeats it. */
+    /** Removes and returns the oldest unhandled message. Returns empty for a message of version 2, which the computer repeats. */
     Optional<Frame> overwrite() {
         return Optional.ofNullable(arrived.remove().version1());
     }
@@ -209,7 +209,7 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** Records that the current message is handled, for {@link #isDrained}. */
+    /** Records for {@link #isDrained} that the present message is handled. */
     void markHandled() {
         if (arrived.isEmpty() && !isHandlingCommands && receiver.nanosUntilIdle(silentNanos) == Long.MAX_VALUE) {
             handled = read;
@@ -220,27 +220,27 @@ public final class BoardLoop {
         return session;
     }
 
-    /** The number of waits for a byte that ended without one; safe on any thread. */
+    /** Returns the number of waits in which no byte came. Safe on any thread. */
     int silences() {
         return silences;
     }
 
     /**
-     * Returns whether all that was written to the board has been read and handled; safe on any thread.
-     * @param silencesBefore an earlier value of {@link #silences}; on a line that is not in memory, two more silences show that it is empty
+     * Returns whether the board has read and handled all bytes. Safe on any thread.
+     * @param silencesBefore an earlier value of {@link #silences}; two more silences show that a line outside of memory is empty
      */
     boolean isDrained(int silencesBefore) {
         return line instanceof MemoryLine.End end ? end.isRead(handled) : silences - silencesBefore >= 2;
     }
 
-    /** The protocol version of the message that was handled last; 1 before the first message. */
+    /** Returns the protocol version of the last handled message, or 1 before the first message. */
     public int version() {
         return version;
     }
 
     /**
-     * Sends a message unasked, in {@link #version}; in version 2 it may have any length. On the board's thread, returns when the last byte
-     * has left.
+     * Sends a message unasked, in {@link #version}. In version 2 it may have any length. On the board's thread, returns when the last
+     * byte has left.
      *
      * @throws IllegalArgumentException if the text does not fit into a message
      */
@@ -252,7 +252,7 @@ public final class BoardLoop {
         }
     }
 
-    /** Splits a text into messages of {@link #version}. Returns the last message, and sends the messages before it. */
+    /** Splits a text into messages of {@link #version}. Sends all messages except the last, and returns the last. */
     String sayBeginning(String text) throws PortException, InterruptedException {
         List<String> messages = version == 1 ? MessageParts.of(text) : List.of(text);
         if (!hasToldLeftOut && messages.stream().mapToInt(String::length).sum() < text.length()) {
@@ -268,7 +268,7 @@ public final class BoardLoop {
         return messages.get(messages.size() - 1);
     }
 
-    /** Sends a frame of the session, on the thread that caused the frame. */
+    /** Sends a frame of the session on the calling thread. */
     private void sendFrame(WireFrame frame, int nonce) throws PortException, InterruptedException {
         byte[] bytes = frame.toBytes(nonce);
         put(bytes);
@@ -290,8 +290,8 @@ public final class BoardLoop {
     }
 
     /**
-     * Writes bytes. On the board's thread, returns when the last byte has left: a board does not read while it sends. If the port is
-     * closed, the bytes are lost, as on a device; {@link #step} throws once all received messages are handled.
+     * Writes bytes. On the board's thread, returns when the last byte has left, because a board does not read while it sends. If the port
+     * is closed, the bytes are lost. {@link #step} then throws after all received messages are handled.
      */
     public void send(byte... bytes) throws PortException, InterruptedException {
         put(bytes);

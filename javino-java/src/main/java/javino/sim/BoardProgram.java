@@ -6,10 +6,7 @@ import javino.PerceptsRequest;
 import javino.PortException;
 import javino.wire.BoardAction;
 
-/**
- * The program of a simulated board, like the sketch of a real one. The board's thread calls all methods. A method may take long; the board
- * does nothing else in that time.
- */
+/** The program of a simulated board. The board's thread calls all methods. While a method runs, the board does nothing else. */
 public interface BoardProgram {
     enum Outcome {
         /** The command was carried out. */
@@ -18,36 +15,36 @@ public interface BoardProgram {
         /** The command is unknown, or has wrong arguments. */
         REFUSED,
 
-        /** The command was begun, and {@link BoardSession#report} will tell its outcome. In version 1 this counts as {@link #DONE}. */
+        /** The command has begun, and {@link BoardSession#report} will tell its outcome. In version 1 this counts as {@link #DONE}. */
         LATER
     }
 
     /**
-     * The actions that the board reports to computers; empty: none. Computers may call actions without arguments by their index in this
-     * list. Only the first 126 actions with names of at most 250 bytes count. A computer learns how many actions are left out, and sends
-     * none of these.
+     * Returns the actions that the board reports to computers; empty by default. A computer can call an action without arguments by its
+     * index in this list. Only the first 126 actions with names of at most 250 bytes count. A computer learns only the number of the
+     * other actions, and sends none of them.
      */
     default List<BoardAction> vocabulary() {
         return List.of();
     }
 
-    /** The kinds of percepts that the board describes to computers of version 2; empty: none. */
+    /** Returns the kinds of percepts that the board describes to computers of version 2; empty by default. */
     default List<PerceptKind> perceptKinds() {
         return List.of();
     }
 
-    /** Carries out a command, given as text. */
+    /** Carries out a text command. */
     Outcome carryOut(String command) throws PortException, InterruptedException;
 
     /**
-     * Returns the answer to a request: percepts, each with a {@code ;} behind it.
+     * Returns the answer to a request: percepts, each followed by {@code ;}.
      *
-     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for the percepts of some functors
-     * @return null: no answer
+     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for percepts with certain functors
+     * @return the percepts, or null for no answer
      */
     String percepts(String request) throws PortException, InterruptedException;
 
-    /** The percepts that the sensors show now, as {@link #percepts} returns them. Called every few ms while rules are set. */
+    /** Returns the present percepts of the sensors, in the form of {@link #percepts}. Called every few milliseconds while rules are set. */
     default String sensors() throws PortException, InterruptedException {
         return percepts(PerceptsRequest.ALL);
     }
@@ -57,7 +54,7 @@ public interface BoardProgram {
      *
      * @param requestBytes the length of the request in bytes
      * @param answerBytes the length of the answer in bytes; in version 2 the sum of all its parts
-     * @param endNanos the time by the line's clock at which the last byte of the answer leaves the line
+     * @param endNanos the time, by the line's clock, at which the last byte of the answer leaves the line
      */
     default void answered(int requestBytes, int answerBytes, long endNanos) {}
 }

@@ -18,18 +18,19 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The board's side of version 2 of the protocol. It takes and sends frames; the board's program handles commands and gives percepts.
- * <p>It has no thread and no clock. The board's thread calls {@link #receive} and {@link #look}; {@link #sendPercepts} and {@link #report}
- * are safe on any thread. The thread that causes a frame also sends it.
+ * The board's side of version 2 of the protocol. The session takes and sends frames. The board's program handles commands and supplies
+ * percepts.
+ * <p>The session has no thread and no clock. The board's thread calls {@link #receive} and {@link #look}. {@link #sendPercepts} and
+ * {@link #report} are safe on any thread. A frame goes out on the thread that causes it.
  */
 public final class BoardSession {
     /** Takes the frames that the session sends. */
     @FunctionalInterface
     public interface Line {
         /**
-         * Sends a frame; several threads may call this at a time.
+         * Sends a frame. Several threads may call this at a time.
          *
-         * @param nonce the nonce of the session that the frame belongs to; 0: none
+         * @param nonce the nonce of the frame's session, or 0
          */
         void send(WireFrame frame, int nonce) throws PortException, InterruptedException;
     }
@@ -38,12 +39,12 @@ public final class BoardSession {
      * The capacity of a board.
      *
      * @param credit bytes of frames that the board holds while its program is busy, 0 to 255
-     * @param longestPayload most bytes of payload that the board takes, 0 to 255
+     * @param longestPayload length of the longest payload that the board takes, 0 to 255
      * @param rules number of critical rules that the board can watch, 0 to 255
      * @param shapes number of shapes of percepts that the board can number, 0 to 126
      */
     public record Capacity(int credit, int longestPayload, int rules, int shapes) {
-        /** The largest capacity that the protocol can express, but with 0 rules. */
+        /** The largest capacity of the protocol, but with 0 rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
         /** Returns this capacity, with {@code value} rules. */
@@ -52,7 +53,7 @@ public final class BoardSession {
         }
     }
 
-    /** The most bytes of an answer in one frame while there are rules, so that no urgent frame waits for a long one. */
+    /** The most bytes of an answer in one frame while there are rules. Urgent frames then never wait for a long frame. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;
@@ -62,14 +63,14 @@ public final class BoardSession {
     private final Line line;
     private final HeldRules rules;
 
-    // the fields from here on are guarded by this object
+    // this object guards the following fields
     private final PerceptWriter writer;
-    private int nonce; // 0: there is no session
+    private int nonce; // 0 if there is no session
     private int due;
     private boolean isRefused;
     private boolean isBusy;
     private int known;
-    private long begun; // number of actions so far that report their outcome later
+    private long begun; // number of actions so far with a later outcome
 
     public BoardSession(BoardProgram program, Capacity capacity, Line line) {
         this.program = program;
@@ -79,7 +80,7 @@ public final class BoardSession {
         writer = new PerceptWriter(capacity.shapes());
     }
 
-    /** The session's nonce; 0: there is none. */
+    /** Returns the session's nonce, or 0 if there is no session. */
     public synchronized int nonce() {
         return nonce;
     }
@@ -91,7 +92,7 @@ public final class BoardSession {
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // otherwise the same HELLO came twice
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // a repeated HELLO begins no new session
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {
@@ -106,7 +107,7 @@ public final class BoardSession {
         }
     }
 
-    /** Ends the session, if there is one, after a frame of version 1: its sender knows of no session. */
+    /** Ends the session, if there is one. Call this after a frame of version 1, because its sender knows of no session. */
     public void end() {
         begin(0);
     }
@@ -197,13 +198,13 @@ public final class BoardSession {
         }
     }
 
-    /** The action whose outcome is not reported yet, for {@link #report}; 0: there is none. */
+    /** Returns a number for {@link #report}: that of the action without an outcome, or 0. */
     public synchronized long openAction() {
         return isBusy ? begun : 0;
     }
 
     /**
-     * Reports the outcome of an action that returned {@link Outcome#LATER}. Ignores an action of an earlier session.
+     * Reports the outcome of an action that returned {@link Outcome#LATER}. Ignores actions of earlier sessions.
      *
      * @param action the value of {@link #openAction} after the action began
      */
@@ -235,7 +236,7 @@ public final class BoardSession {
         }
     }
 
-    /** Sends percepts unasked; each must have a {@code ;} behind it. Without a session, sends nothing. */
+    /** Sends percepts unasked, each followed by {@code ;}. Sends nothing if there is no session. */
     public void sendPercepts(String percepts) throws PortException, InterruptedException {
         if (isOpen()) {
             sendPercepts(0, percepts);
@@ -265,7 +266,7 @@ public final class BoardSession {
                         .payload());
     }
 
-    /** The program's actions that have a number. Of the other actions the computer only learns how many there are. */
+    /** Returns the program's actions that have a number. The computer learns only how many other actions there are. */
     private List<BoardAction> actions() {
         return program.vocabulary().stream()
                 .filter(action -> action.name().length() <= VocabularyPage.MAX_NAME)
@@ -284,7 +285,7 @@ public final class BoardSession {
         return !rules.isEmpty();
     }
 
-    /** Compares percepts with the rules. If a rule begins to be met, carries its reflex out and informs the computer. */
+    /** Compares percepts with the rules. If a rule begins to match, carries out the rule's reflex and informs the computer. */
     public void look(String percepts) throws PortException, InterruptedException {
         for (HeldRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());

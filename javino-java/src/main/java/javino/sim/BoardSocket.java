@@ -9,7 +9,7 @@ import javino.PortGoneException;
 import javino.PortInterruptedException;
 import javino.Transport;
 
-/** The socket into which a simulated board is plugged. Runs the board's program while the port is open, one run at a time. */
+/** Runs a simulated board's program while its port is open, one run at a time. */
 final class BoardSocket {
     private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
     private static final long LAST_RUN_MILLIS = 2_000;
@@ -35,7 +35,7 @@ final class BoardSocket {
             Run run = new Run(line, new Thread(() -> run(line), "board " + port));
             run.thread.setDaemon(true);
             current = run;
-            if (unplugged) { // checked last: otherwise unplug() could miss this run
+            if (unplugged) { // checked last, so unplug() cannot miss this run
                 throw new NoSuchPortException(
                         port, "the simulated board " + port + " was unplugged while it was opened");
             }
@@ -46,7 +46,7 @@ final class BoardSocket {
         }
     }
 
-    /** Ends the line of a running board; from now on the board cannot be opened. */
+    /** Ends the line of a running board. The board cannot be opened again. */
     void unplug() {
         unplugged = true;
         Run run = current;
@@ -70,7 +70,7 @@ final class BoardSocket {
         try {
             board.run(line.board());
         } catch (PortGoneException | InterruptedException e) {
-            end = "the board's program ended with its line"; // the usual way in which programs end
+            end = "the board's program ended with its line"; // the usual end of a program
         } catch (PortException | RuntimeException | Error e) {
             LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
             end = "the board's program failed with " + e;
@@ -83,7 +83,7 @@ final class BoardSocket {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");
         }
-        run.thread.interrupt(); // the program has had its time to read the last bytes
+        run.thread.interrupt(); // the program has had time to read the last bytes
         try {
             run.thread.join(LAST_RUN_MILLIS);
         } catch (InterruptedException e) {

@@ -10,9 +10,9 @@ import javino.wire.BoardRule;
 import javino.wire.CommandItem;
 import javino.wire.WireFrame;
 
-/** The critical rules that a board watches. One thread at a time. */
+/** The critical rules that a board watches. Not thread-safe. */
 final class HeldRules {
-    /** A rule that begins to be met; {@code percept} is the first text that meets it. */
+    /** A rule that begins to match. {@code percept} is the first matching text. */
     record Beginning(int number, BoardRule rule, String percept) {}
 
     private static final class Watched {
@@ -24,10 +24,10 @@ final class HeldRules {
         }
     }
 
-    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule and an outcome
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule number and an outcome
 
     private final int capacity;
-    private final Map<Integer, Watched> rules = new TreeMap<>(); // by the rule's number
+    private final Map<Integer, Watched> rules = new TreeMap<>(); // key: the rule's number
 
     HeldRules(int capacity) {
         this.capacity = capacity;
@@ -41,7 +41,7 @@ final class HeldRules {
         rules.clear();
     }
 
-    /** Sets or removes rules, as a command says; returns false if the command is malformed or the board has no room. */
+    /** Sets or removes rules according to a command. Returns false if the command is malformed or the board has no room. */
     boolean change(CommandItem.Rule command) {
         if (capacity == 0) {
             return false;
@@ -62,7 +62,7 @@ final class HeldRules {
         return true;
     }
 
-    /** Returns the rules that these percepts begin to meet, by number. A percept that is too long for CRITICAL meets no rule. */
+    /** Returns the rules that begin to match, in order of their numbers. A percept that is too long for CRITICAL matches no rule. */
     List<Beginning> look(List<String> percepts) {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {
@@ -79,7 +79,11 @@ final class HeldRules {
         return beginnings;
     }
 
-    /** Returns whether the percept meets the rule; {@code wasMet} tells whether the rule was met at the last look. */
+    /**
+     * Returns whether the percept matches the rule.
+     *
+     * @param wasMet whether the rule matched at the last look
+     */
     static boolean isMet(BoardRule rule, PerceptTerm percept, boolean wasMet) {
         return percept.functor().equals(rule.functor())
                 && rule.conditions().stream()

@@ -16,14 +16,14 @@ import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
- * The messages of a line in their order, with their times. Immutable.
+ * The messages of a line in order, with their times. Immutable.
  *
- * <p>A file of a recording is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
- * {@code <ms>\t<in|out|critical|reflex>\t<message>}. {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and
- * line ends in a message, <code>&#92;u0007</code> for another control character. Empty lines and lines that begin with {@code #} are
- * ignored. {@link RecordingWriter} writes such files.
+ * <p>A recording's file is UTF-8 text. The first line is {@code javino-recording 1}. Each message has a line
+ * {@code <ms>\t<in|out|critical|reflex>\t<message>}. In a message, {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a
+ * backslash, a tab and line ends. Other control characters have the form <code>&#92;u0007</code>. Empty lines and lines that begin with
+ * {@code #} are ignored. {@link RecordingWriter} writes such files.
  *
- * @param entries the messages; their times never go back
+ * @param entries the messages, with times in ascending order
  */
 public record LineRecording(List<Entry> entries) {
     static final String HEADER = "javino-recording 1";
@@ -39,10 +39,10 @@ public record LineRecording(List<Entry> entries) {
         /** To the board. */
         OUT,
 
-        /** From the board, unasked: the percept that met one of the board's critical rules. */
+        /** From the board, unasked: the percept that matched one of the board's critical rules. */
         CRITICAL,
 
-        /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
+        /** The reflex of a critical rule: a command that the board carried out on its own. */
         REFLEX;
 
         final String word = name().toLowerCase(Locale.ROOT);
@@ -52,7 +52,7 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param message the message's text, a character a byte
+     * @param message the message's text, one character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
         /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
@@ -65,7 +65,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** @throws IllegalArgumentException if an entry is earlier than the one before */
+    /** @throws IllegalArgumentException if an entry is earlier than the previous entry */
     public LineRecording {
         entries = List.copyOf(entries);
         for (int i = 1; i < entries.size(); i++) {
@@ -76,14 +76,14 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** The messages from the board with all its percepts: answers, and messages sent unasked. */
+    /** Returns the messages from the board with all its percepts: answers, and messages sent unasked. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)
                 .toList();
     }
 
-    /** Returns whether the board sent its percepts when it was asked, not by itself. */
+    /** Returns whether the board sent its percepts in answer to requests. */
     public boolean isOfRequests() {
         return entries.stream()
                 .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
@@ -93,7 +93,7 @@ public record LineRecording(List<Entry> entries) {
      * Reads a file.
      *
      * @throws java.nio.file.FileSystemException if the file cannot be read
-     * @throws IOException also if the file is no recording; the message names file, line and fault
+     * @throws IOException also if the file is no recording; the message names the file, the line and the fault
      */
     public static LineRecording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
@@ -101,7 +101,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** Like {@link #read(Path)}, but reads {@code text}, which messages call {@code source}. Does not close the reader. */
+    /** Like {@link #read(Path)}, but reads {@code text}. Error messages use {@code source} as its name. Does not close the reader. */
     public static LineRecording read(Reader text, String source) throws IOException {
         LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();
@@ -124,12 +124,12 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line, but only as far as a header is long: a file that is no recording may be endless. */
+    /** Checks the first line. Reads only as many characters as a header has, because a wrong file may be endless. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
-        text.setLineNumber(1); // so that errors name the first line, however many lines were read
+        text.setLineNumber(1); // errors must name the first line
         // without the byte order mark of an editor
         String line =
                 new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");

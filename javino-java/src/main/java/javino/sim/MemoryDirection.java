@@ -3,7 +3,7 @@ package javino.sim;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 
-/** One direction of a {@link MemoryLine}: bytes, each with the time of its arrival. Guarded by the line's lock. */
+/** One direction of a {@link MemoryLine}: the bytes and their times of arrival. Guarded by the line's lock. */
 final class MemoryDirection {
     /** Signalled when bytes are put on the line or taken from it. */
     final Condition changed;
@@ -24,7 +24,7 @@ final class MemoryDirection {
         lineFreeAt = now;
     }
 
-    /** Puts as many bytes on the line as there is room for; returns their number. */
+    /** Puts as many bytes on the line as it has room for. Returns their number. */
     int put(byte[] source, int off, int len, long now) {
         int room = Math.min(len, bytes.length - count);
         lineFreeAt += Math.max(0, now - lineFreeAt);
@@ -38,7 +38,7 @@ final class MemoryDirection {
         return room;
     }
 
-    /** Takes bytes that have arrived by {@code now}; returns their number. */
+    /** Takes bytes that have arrived by {@code now}. Returns their number. */
     int take(byte[] target, int off, int len, long now) {
         int moved = 0;
         while (moved < len && count > 0 && readyAt[first] - now <= 0) {
@@ -67,7 +67,7 @@ final class MemoryDirection {
         count = 0;
     }
 
-    /** Nanoseconds until the next byte arrives; {@link Long#MAX_VALUE}: none is on its way. */
+    /** Returns the nanoseconds until the next byte arrives, or {@link Long#MAX_VALUE} if none is on its way. */
     long nanosUntilReady(long now) {
         return count == 0 ? Long.MAX_VALUE : Math.max(1, readyAt[first] - now);
     }

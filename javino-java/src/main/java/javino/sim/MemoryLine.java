@@ -12,13 +12,13 @@ import javino.PortTimeoutException;
 import javino.Transport;
 
 /**
- * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
+ * A line in memory with two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
  *
- * <p>Bytes arrive at once, or each takes its time at the line's rate. The directions are independent. Like a driver, the line holds
- * {@value #CAPACITY} unread bytes in each direction; a further write waits.
+ * <p>On an unlimited line, bytes arrive at once. On a paced line, each byte takes its time at the line's rate. The directions are
+ * independent. The line holds {@value #CAPACITY} unread bytes in each direction. A further write waits.
  *
- * <p>When one end is closed, the other end can still read the bytes that are on their way; then the line is gone for both. When the line is
- * unplugged, it is gone at once for both ends. All methods are safe on any thread.
+ * <p>If one end is closed, the other end can still read the bytes that are on their way. Then the line is gone for both ends. If the line
+ * is unplugged, it is gone at once for both ends. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** The most unread bytes that the line holds in each direction. */
@@ -30,7 +30,7 @@ public final class MemoryLine {
     private final LineClock clock;
     private final End computer;
     private final End board;
-    private volatile String end; // why the line is gone; null while it is there
+    private volatile String end; // reason for the end of the line, or null
 
     private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
         this.name = name;
@@ -43,47 +43,51 @@ public final class MemoryLine {
         board = new End(toBoard, toComputer);
     }
 
-    /** A line on which bytes arrive at once, whatever the rate of {@code line}. */
+    /** Returns a line on which bytes arrive at once. */
     public static MemoryLine unlimited(String name, LineSettings line) {
         return unlimited(name, line, LineClock.system());
     }
 
-    /** A line on which bytes arrive at once, whatever the rate of {@code line}; waits on it use {@code clock}. */
+    /** Returns a line on which bytes arrive at once, and whose waits use {@code clock}. */
     public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
         return new MemoryLine(name, line, 0, clock);
     }
 
-    /** A line on which every byte takes {@link LineSettings#byteNanos()}. */
+    /** Returns a line on which every byte takes {@link LineSettings#byteNanos()}. */
     public static MemoryLine paced(String name, LineSettings line) {
         return paced(name, line, LineClock.system());
     }
 
-    /** A line on which every byte takes {@link LineSettings#byteNanos()} of {@code clock}. */
+    /** Returns a line on which every byte takes {@link LineSettings#byteNanos()} of {@code clock}. */
     public static MemoryLine paced(String name, LineSettings line, LineClock clock) {
         return new MemoryLine(name, line, line.byteNanos(), clock);
     }
 
-    /** The end that a program opens. */
+    /** Returns the end that a program opens. */
     public Transport computer() {
         return computer;
     }
 
-    /** The board's end. */
+    /** Returns the board's end. */
     public Transport board() {
         return board;
     }
 
-    /** Pulls the plug: both ends are gone from now on, and so are the bytes on the line. */
+    /** Unplugs the line. Both ends are gone, and the bytes on the line are lost. */
     public void unplug() {
         end("it was unplugged", computer.in, board.in);
     }
 
-    /** Closes the board's end; {@code why} completes the sentence "port x is gone: ...". */
+    /**
+     * Closes the board's end.
+     *
+     * @param why completes the sentence "port x is gone: ..."
+     */
     void closeBoard(String why) {
         end(why, board.in);
     }
 
-    /** Ends the line, and empties the given directions, which nobody reads any more. If it has ended already, the first reason stays. */
+    /** Ends the line and empties the given directions. If the line has ended already, keeps the first reason. */
     private void end(String why, MemoryDirection... emptied) {
         lock.lock();
         try {
@@ -203,7 +207,7 @@ public final class MemoryLine {
             }
         }
 
-        /** Returns whether {@code count} bytes have been read from this end, and no further byte is on its way to this end. */
+        /** Returns whether {@code count} bytes have been read from this end and no further byte is on its way to it. */
         boolean isRead(long count) {
             lock.lock();
             try {

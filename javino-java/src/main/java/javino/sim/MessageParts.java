@@ -6,14 +6,14 @@ import java.util.regex.Pattern;
 import javino.Frame;
 
 final class MessageParts {
-    /** Matches the rest of a message if it fits into a frame; else as many whole percepts as fit; else a percept that is too long. */
+    /** Matches, in this order: a rest that fits into a frame; as many whole percepts as fit; one percept that is too long. */
     private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
 
     private MessageParts() {}
 
     /**
-     * Cuts a message into parts that fit into frames of version 1, at least one. It cuts after a semicolon only, even within a
-     * string, and leaves out a percept that is too long for a frame.
+     * Cuts a message into one or more parts that fit into frames of version 1. Cuts only after a semicolon, even within a string. Leaves
+     * out a percept that is too long for a frame.
      */
     static List<String> of(String message) {
         List<String> parts = PART.matcher(message)

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Two pseudo-terminals joined by the program {@code socat}: bytes written to one are read from the other, as over a null-modem cable. Tests
- * and measurements use them as serial devices of the operating system without a board. Not for Windows.
+ * Two pseudo-terminals joined by the program {@code socat}. Bytes written to one terminal are read from the other. Tests and measurements
+ * use them as serial devices without a board. Not for Windows.
  */
 public final class PseudoTerminals implements AutoCloseable {
     private static final long START_LIMIT_MILLIS = 10_000;
@@ -27,7 +27,7 @@ public final class PseudoTerminals implements AutoCloseable {
         try {
             return socat("-V").waitFor() == 0;
         } catch (IOException e) {
-            return false; // the program is not there
+            return false; // socat is not installed
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;
@@ -35,9 +35,9 @@ public final class PseudoTerminals implements AutoCloseable {
     }
 
     /**
-     * Makes a new pair, in raw mode.
+     * Creates a pair in raw mode.
      *
-     * @throws IOException if there is no {@code socat}, or it made no terminals within ten seconds
+     * @throws IOException if there is no {@code socat}, or if it made no terminals within ten seconds
      */
     public static PseudoTerminals open() throws IOException, InterruptedException {
         Path directory = Files.createTempDirectory("argo-pty");
@@ -61,17 +61,17 @@ public final class PseudoTerminals implements AutoCloseable {
                 .start();
     }
 
-    /** The device that a program opens as the board's port. */
+    /** Returns the device that a program opens as the board's port. */
     public File computer() {
         return directory.resolve("computer").toFile();
     }
 
-    /** The device at the board's own end. */
+    /** Returns the device at the board's end. */
     public File board() {
         return directory.resolve("board").toFile();
     }
 
-    /** Removes both terminals, like a pulled cable. May be called twice. */
+    /** Removes both terminals. May be called twice. */
     @Override
     public void close() {
         socat.destroy();
@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // until then at worst an empty temporary directory stays
+            directory.toFile().deleteOnExit(); // at worst an empty temporary directory stays until then
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

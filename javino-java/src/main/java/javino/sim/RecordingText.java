@@ -3,7 +3,7 @@ package javino.sim;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Writes a message as a part of one line of a {@link LineRecording}, and reads it again. */
+/** Writes a message as a part of one line of a {@link LineRecording}, and reads it back. */
 final class RecordingText {
     private static final Pattern SPECIAL = Pattern.compile("[\\\\\\p{Cc}\\p{Cs}]");
     private static final Pattern ESCAPE = Pattern.compile("\\\\(u\\p{XDigit}{4}|.?)");
@@ -23,7 +23,7 @@ final class RecordingText {
                         }));
     }
 
-    /** @throws IllegalArgumentException if a backslash does not begin one of the forms that {@link #write} writes */
+    /** @throws IllegalArgumentException if a backslash begins none of the escapes of {@link #write} */
     static String read(String written) {
         return ESCAPE.matcher(written).replaceAll(escape -> Matcher.quoteReplacement(character(escape.group(1))));
     }

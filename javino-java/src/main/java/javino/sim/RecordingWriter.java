@@ -4,17 +4,17 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.concurrent.TimeUnit;
 
-/** Writes a {@link LineRecording}, message by message. Written messages survive even if the program is killed. Safe on any thread. */
+/** Writes a {@link LineRecording}, message by message. A written message survives if the program is killed. Safe on any thread. */
 public final class RecordingWriter implements AutoCloseable {
     private final Writer out;
     private final long startNanos;
     private long latestMillis;
 
     /**
-     * Begins a recording, at 0 ms.
+     * Begins a recording at 0 ms.
      *
      * @param out takes the text; {@link #close} closes it
-     * @param nowNanos the present time, by the same clock as for {@link #add}
+     * @param nowNanos the present time, by the clock that {@link #add} uses
      */
     public RecordingWriter(Writer out, long nowNanos) throws IOException {
         this.out = out;
@@ -22,7 +22,7 @@ public final class RecordingWriter implements AutoCloseable {
         line(LineRecording.HEADER);
     }
 
-    /** Adds a message at {@code nowNanos}, or at the time of the message before if that is later. */
+    /** Adds a message at {@code nowNanos}. If the previous message has a later time, uses that time instead. */
     public synchronized void add(long nowNanos, LineRecording.Direction direction, String message) throws IOException {
         latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
         line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));

@@ -8,13 +8,13 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
+ * A board that replays the messages of a recorded board: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, this board answers requests. The recording runs from the first request on. Each
- * request gets the newest message up to that moment of the recording; after its end, the last message. If the recorded board spoke unasked,
- * this board sends each message at its time, counted from the opening of the port. After the last message it falls silent. The board speaks
- * both versions of the protocol, and accepts any command.
+ * <p>If the recorded board answered requests, this board answers requests too. The recording then runs from the first request on. Each
+ * request gets the newest message up to the present moment of the recording. After the end of the recording, each request gets the last
+ * message. If the recorded board spoke unasked, this board sends each message at its recorded time, counted from the opening of the port.
+ * After the last message it falls silent. The board speaks both versions of the protocol, and accepts any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -41,14 +41,14 @@ public final class ReplayBoard implements SimulatedBoard {
         this.clock = clock;
     }
 
-    /** A board that uses the machine's clock. */
+    /** Returns a board that uses the machine's clock. */
     public static ReplayBoard of(LineRecording recording) {
         return of(recording, LineClock.system());
     }
 
     /**
-     * @param clock the clock by which the recording runs
-     * @throws IllegalArgumentException if the board says nothing in the recording
+     * @param clock the clock of the replay
+     * @throws IllegalArgumentException if the recording has no message from the board
      */
     public static ReplayBoard of(LineRecording recording, LineClock clock) {
         List<LineRecording.Entry> said = recording.received();
@@ -59,19 +59,19 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * Returns a copy of this board that answers request number n with message number n, whenever it comes. A repeated request counts as
-     * another request; version 2 repeats a request whose answer is late.
+     * Returns a copy of this board that answers request number n with message number n, at any time. A repeated request counts as another
+     * request. Version 2 repeats a request if its answer is late.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
     }
 
-    /** Returns a copy of this board that begins anew when the recording is over. */
+    /** Returns a copy of this board that restarts the recording at its end. */
     public ReplayBoard repeated() {
         return new ReplayBoard(said, asked, inTurn, true, commands, clock);
     }
 
-    /** Returns a copy of this board that tells {@code listener} each command, on the board's thread. */
+    /** Returns a copy of this board that passes each command to {@code listener}, on the board's thread. */
     public ReplayBoard tellingCommandsTo(Consumer<String> listener) {
         return new ReplayBoard(said, asked, inTurn, repeated, listener, clock);
     }
@@ -81,13 +81,16 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** The length of a round in ms. The last message lasts as long as the others on average. */
+    /** Returns the length of one pass through the recording, in ms. The last message lasts as long as the others on average. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));
     }
 
-    /** The time at which message {@code number} is due, counted from the first message; numbers go on in further rounds. */
+    /**
+     * Returns the time at which message {@code number} is due, counted from the first message. Numbers continue when the recording
+     * restarts.
+     */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
         return rounds * periodMillis()

@@ -13,7 +13,7 @@ import javino.PortFaultException;
 import javino.Transport;
 import javino.TransportProvider;
 
-/** {@code replay:FILE}: a {@link ReplayBoard} with the recording in that file. */
+/** Opens {@code replay:FILE}: a {@link ReplayBoard} with the recording in the file. */
 public final class ReplayTransportProvider implements TransportProvider {
     @Override
     public String scheme() {

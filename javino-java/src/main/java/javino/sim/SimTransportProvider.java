@@ -6,7 +6,7 @@ import javino.PortException;
 import javino.Transport;
 import javino.TransportProvider;
 
-/** {@code sim:name}: the simulated board of that name. */
+/** Opens {@code sim:name}: the simulated board with the given name. */
 public final class SimTransportProvider implements TransportProvider {
     @Override
     public String scheme() {

@@ -14,11 +14,11 @@ import javino.Services;
 import javino.Transport;
 
 /**
- * The simulated boards of this program, by name. The first search for a name plugs in each board that is found as a service. The whole
- * program has one table, as a machine has for its devices. All methods are safe on any thread.
+ * The simulated boards of this program, by name. The first search for a name plugs in each board that is found as a service. All methods
+ * are safe on any thread.
  */
 public final class SimulatedBoards {
-    /** The scheme of simulated boards' ports. */
+    /** The scheme of the ports of simulated boards. */
     public static final String SCHEME = "sim";
 
     private static final Map<String, BoardSocket> SOCKETS = new ConcurrentSkipListMap<>();
@@ -30,7 +30,7 @@ public final class SimulatedBoards {
      * Makes a board available as {@code sim:name}.
      *
      * @throws IllegalArgumentException if the name is blank
-     * @throws IllegalStateException if a board of that name is plugged in
+     * @throws IllegalStateException if another board with this name is plugged in
      */
     public static void plugIn(String name, SimulatedBoard board) {
         if (name.isBlank()) {
@@ -43,9 +43,9 @@ public final class SimulatedBoards {
     }
 
     /**
-     * Takes a board away. If its port is open, the line is gone for both ends.
+     * Removes a board. If its port is open, the line is gone for both ends.
      *
-     * @return whether there was a board of that name
+     * @return whether there was a board with this name
      */
     public static boolean unplug(String name) {
         BoardSocket socket = SOCKETS.remove(name);
@@ -56,7 +56,7 @@ public final class SimulatedBoards {
         return true;
     }
 
-    /** The names of the plugged boards, in alphabetical order, without the scheme. */
+    /** Returns the names of the boards in alphabetical order, without the scheme. */
     public static List<String> names() {
         plugInServices();
         return List.copyOf(SOCKETS.keySet());

@@ -52,7 +52,7 @@ final class SketchProgram implements BoardProgram {
         return message(sketch.sensors(), Set.of());
     }
 
-    /** The message with the percepts of the given functors, or with all percepts if the set is empty. */
+    /** Returns a message with the percepts of the given functors. An empty set means all percepts. */
     private static String message(List<String> percepts, Set<String> functors) {
         return percepts.stream()
                 .map(percept -> percept + ";")
@@ -60,7 +60,7 @@ final class SketchProgram implements BoardProgram {
                 .collect(Collectors.joining());
     }
 
-    /** The functor of a percept as requests name it: without {@code ~}. */
+    /** Returns a percept's functor without {@code ~}, because requests name functors without it. */
     private static String asked(String percept) {
         String functor = PerceptTerm.of(percept).functor();
         return functor.startsWith("~") ? functor.substring(1) : functor;

@@ -3,7 +3,7 @@ package javino.tcp;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 
-/** Runs each system call that no interrupt can end on a thread of its own, so that its caller can give up waiting. */
+/** Runs uninterruptible system calls on their own threads. Callers can then give up waiting. */
 final class BlockingCall {
     private BlockingCall() {}
 

@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Finds the addresses of a host, with a time limit. The system's lookup has no limit, cannot be interrupted, and may take a minute without
- * a network. So it runs on a thread of its own, at most one for each host; all callers that wait for a host share the result.
+ * Finds the addresses of a host, with a time limit. The system's lookup has no limit, cannot be interrupted, and may take a minute
+ * without a network. It therefore runs on its own thread. All callers that wait for a host share one lookup.
  */
 final class HostLookup {
     private static final ConcurrentMap<String, Future<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
@@ -20,8 +20,9 @@ final class HostLookup {
     private HostLookup() {}
 
     /**
-     * @param resolver finds the addresses, as {@link InetAddress#getAllByName} does
-     * @throws UnknownHostException if there is no such host, or the lookup took longer than {@code limitNanos}; the message is for a person
+     * @param resolver finds the addresses, for example {@link InetAddress#getAllByName}
+     * @throws UnknownHostException if there is no such host, or the lookup took longer than {@code limitNanos}; the message is for a
+     *     person
      */
     static InetAddress[] addresses(String host, long limitNanos, Callable<InetAddress[]> resolver)
             throws UnknownHostException, InterruptedException {
@@ -42,7 +43,7 @@ final class HostLookup {
             try {
                 return resolver.call();
             } finally {
-                UNDER_WAY.remove(host); // the next caller looks the host up anew
+                UNDER_WAY.remove(host); // the next caller starts another lookup
             }
         });
     }

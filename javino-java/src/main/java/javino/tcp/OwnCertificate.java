@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Optional;
 import javax.net.ssl.X509ExtendedKeyManager;
 
-/** Shows the computer's certificate to any board that asks for one, whichever issuers the board trusts. Remembers whether a board asked. */
+/**
+ * Shows the computer's certificate to any board that asks for one. Ignores which issuers the board trusts. Remembers whether a board
+ * asked.
+ */
 final class OwnCertificate extends X509ExtendedKeyManager {
     private static final String ALIAS = "computer";
 

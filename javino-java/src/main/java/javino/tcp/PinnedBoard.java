@@ -16,8 +16,8 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts a board only if it shows its certificate in the folder; issuer and name in the certificate do not matter. If the folder has none,
- * trusts the certificate that the board shows, and {@link #pin} stores it. The messages of exceptions are for a person.
+ * Trusts a board only if it shows the certificate that the folder has for it. Ignores the certificate's issuer and name. If the folder
+ * has none, trusts the certificate that the board shows, and {@link #pin} stores it. The messages of exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private static final System.Logger LOG = System.getLogger(PinnedBoard.class.getName());
@@ -35,12 +35,12 @@ final class PinnedBoard extends X509ExtendedTrustManager {
         this.now = now;
     }
 
-    /** The trusted certificate that the board has shown; null: none yet. */
+    /** Returns the trusted certificate that the board has shown, or null. */
     X509Certificate shown() {
         return shown;
     }
 
-    /** Stores the trusted certificate in the folder at the first connection to the board, and logs its fingerprint. */
+    /** If the folder has no certificate of the board, stores the trusted one and logs its fingerprint. */
     void pin(String port) throws IOException, GeneralSecurityException {
         if (folder.boardAt(address).isPresent()) {
             return;

@@ -6,14 +6,14 @@ import java.util.regex.Pattern;
 import javino.NoSuchPortException;
 
 /**
- * The address of a board or a serial server: {@code //robot.local:4000}, with an IPv6 address in brackets, {@code //[fe80::1]:4000}.
+ * The address of a board or a serial server: {@code //robot.local:4000}. An IPv6 address stands in brackets: {@code //[fe80::1]:4000}.
  *
  * @param host the host's name or address, without brackets
- * @param number the number of its TCP port, 1 to 65535
+ * @param number the TCP port number, 1 to 65535
  */
 record TcpAddress(String host, int number) {
     private static final int MAX_NUMBER = 65_535;
-    // java.net.URI finds no host and no port if the host's name has an underscore
+    // java.net.URI rejects host names with an underscore
     private static final Pattern FORM =
             Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
@@ -46,7 +46,7 @@ record TcpAddress(String host, int number) {
                         + scheme + "://192.168.1.20:4000)");
     }
 
-    /** The same text for all spellings of an address. Does not look the host up. */
+    /** Returns one text for all spellings of the address. Does not look the host up. */
     String canonical() {
         return "//" + this;
     }

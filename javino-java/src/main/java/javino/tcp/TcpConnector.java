@@ -19,14 +19,14 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit. An interrupt ends the wait. */
 final class TcpConnector {
-    /** The time limit for looking the host up, and for connecting to its addresses; in a local network both take a few milliseconds. */
+    /** The time limit for looking the host up, and again for connecting. In a local network both take a few milliseconds. */
     static final int LIMIT_MILLIS = 3_000;
 
-    /** Room for bytes that the far end has not taken: small, so that no command waits long behind old commands. */
+    /** Room for bytes that the far end has not taken. A small buffer keeps commands from waiting behind old commands. */
     private static final int SEND_BUFFER = 4_096;
-    /** Room for unread bytes: small, so that outdated messages of a talkative board do not pile up. */
+    /** Room for unread bytes. A small buffer keeps outdated messages from piling up. */
     private static final int RECEIVE_BUFFER = 32_768;
-    // with these times, the system notices on a resting line within some seven seconds that the far end has vanished
+    // on an idle line, the system notices a vanished far end within about seven seconds
     private static final int KEEPALIVE_IDLE_SECONDS = 2;
     private static final int KEEPALIVE_INTERVAL_SECONDS = 1;
     private static final int KEEPALIVE_PROBES = 5;
@@ -34,7 +34,7 @@ final class TcpConnector {
     private TcpConnector() {}
 
     /**
-     * @throws NoSuchPortException if there is no such host, or nothing answers there
+     * @throws NoSuchPortException if there is no such host, or if nothing answers
      * @throws PortFaultException if the system refuses for another reason
      */
     static Socket connect(String port, TcpAddress address) throws PortException {
@@ -60,7 +60,7 @@ final class TcpConnector {
         }
     }
 
-    /** Connects. The system's call cannot be interrupted, so an interrupt closes the socket, which ends the call. */
+    /** Connects. The system's call cannot be interrupted, so an interrupt closes the socket and so ends the call. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
         try {

@@ -9,10 +9,10 @@ import javino.DriverTransport;
 import javino.LineSettings;
 import javino.PortGoneException;
 
-/** A TCP connection to a board on the network, or to a serial server with a board behind it. {@link TcpConnector} sets its keepalive. */
+/** A TCP connection to a board on the network, or to a serial server with a board behind it. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
-    /** The longest time for which one read of the socket waits, as an interrupt does not end a read. */
+    /** The longest wait of one read of the socket. An interrupt does not end a read. */
     private static final int MAX_SLICE_MILLIS = 100;
 
     private static final int DRAIN_BYTES = 65_536;
@@ -24,14 +24,14 @@ class TcpTransport extends DriverTransport {
         this(socket, socket.getInputStream(), name, line);
     }
 
-    /** Like the other constructor, but reads from {@code in} in place of the socket's own input. */
+    /** Like the other constructor, but reads from {@code in}. */
     TcpTransport(Socket socket, InputStream in, String name, LineSettings line) {
         super(name, line);
         this.socket = socket;
         this.in = in;
     }
 
-    /** Returns whether {@link InputStream#available} counts all arrived bytes; if not, only a read finds out. */
+    /** Returns whether {@link InputStream#available} counts all arrived bytes. */
     boolean isInputPlain() {
         return true;
     }
@@ -98,7 +98,7 @@ class TcpTransport extends DriverTransport {
         }
     }
 
-    /** Reads the unread bytes: they would make a close a reset, and the far end might lose the last bytes sent to it. */
+    /** Reads the unread bytes. With unread bytes a close becomes a reset, and the far end may lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

@@ -9,9 +9,9 @@ import javino.PortFaultException;
 import javino.Transport;
 import javino.TransportProvider;
 
-/** {@code tcp://host:port}: a board on the network, or a serial server with a board behind it. */
+/** Opens {@code tcp://host:port}: a board on the network, or a serial server with a board behind it. */
 public class TcpTransportProvider implements TransportProvider {
-    /** A network has no baud rate. At this rate, 0.1 µs a byte, no frame ever waits for the line. */
+    /** A network has no baud rate. At this rate a byte takes 0.1 µs, so no frame waits for the line. */
     private static final LineSettings NETWORK = new LineSettings(100_000_000);
 
     @Override

@@ -17,9 +17,12 @@ import javino.PortException;
 import javino.PortFaultException;
 import javino.PortInterruptedException;
 
-/** Makes a TLS connection over a TCP connection: checks the board's certificate, and shows the computer's own if the board asks for it. */
+/**
+ * Makes a TLS connection over a TCP connection. Checks the board's certificate. If the board asks for the computer's certificate, shows
+ * it.
+ */
 final class TlsConnector {
-    /** The time to wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only after the handshake. */
+    /** The time to wait for a refusal. In TLS 1.3 a board refuses the computer's certificate only after the handshake. */
     private static final int REFUSAL_MILLIS = 300;
 
     private final String port;
@@ -43,14 +46,14 @@ final class TlsConnector {
     }
 
     /**
-     * @param folder the folder with the certificates; the certificate of a new board is added
-     * @param limitMillis milliseconds that each answer of the board may take during the handshake
-     * @throws PortException if there is no connection, or the other end is not trusted; its class and its message say why
+     * @param folder the folder with the certificates, which also stores a new board's certificate
+     * @param limitMillis most milliseconds for each answer of the board during the handshake
+     * @throws PortException if there is no connection, or the other end is not trusted; the exception's class and message say why
      */
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before the board is called
+            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // reads the files before connecting
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);

@@ -23,7 +23,7 @@ import java.util.regex.Pattern;
 
 /**
  * A folder with the certificates of boards and of this computer, as PEM files. {@code robot_4433.crt} belongs to the board at
- * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. Each opening of a port reads the files.
+ * {@code tls://robot:4433}. {@code computer.crt} and {@code computer.key} belong to the computer. Each opening of a port reads the files.
  *
  * @param path the folder, which need not exist
  */
@@ -32,7 +32,7 @@ public record TlsFolder(Path path) {
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([A-Za-z0-9+/=\\s]+)-----END PRIVATE KEY-----");
 
-    /** The folder that the property {@code javino.tls} names; else {@code .argo/tls} in the user's home. */
+    /** Returns the folder that the system property {@code javino.tls} names. By default {@code .argo/tls} in the user's home. */
     public static TlsFolder ofUser() {
         String given = System.getProperty("javino.tls");
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
@@ -43,7 +43,7 @@ public record TlsFolder(Path path) {
     }
 
     /**
-     * The certificate that the board at {@code address} has to show; empty: none is known.
+     * Returns the certificate that the board at {@code address} must show. Empty if none is known.
      *
      * @throws IOException if the board's file holds no certificate; the message is for a person
      */
@@ -63,16 +63,16 @@ public record TlsFolder(Path path) {
         }
     }
 
-    /** The file that holds, or could hold, the computer's own certificate. */
+    /** Returns the file for the computer's certificate. The file need not exist. */
     public Path computerFile() {
         return path.resolve("computer.crt");
     }
 
-    /** The computer's identity: its certificate, followed by its issuers' certificates, and the key. */
+    /** The computer's key and its chain: its own certificate, followed by the issuers' certificates. */
     public record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**
-     * The computer's own certificate; empty: it has none.
+     * Returns the computer's key and certificate. Empty if there are none.
      *
      * @throws IOException if one of the two files is missing or cannot be read; the message is for a person
      */
@@ -91,20 +91,20 @@ public record TlsFolder(Path path) {
         return Optional.of(new Identity(key(keyFile, chain[0].getPublicKey().getAlgorithm()), chain));
     }
 
-    /** Returns the certificate's SHA-256, as {@code openssl x509 -fingerprint -sha256} prints it. */
+    /** Returns the certificate's SHA-256 in the format of {@code openssl x509 -fingerprint -sha256}. */
     public static String fingerprint(X509Certificate certificate) {
         try {
             byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
             return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
         } catch (GeneralSecurityException e) {
-            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate was read in this encoding
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate has been decoded before
         }
     }
 
     /**
-     * The certificates in {@code file}, at least one.
+     * Returns the certificates in {@code file}, at least one.
      *
-     * @throws IOException if the file holds none or cannot be read; the message is for a person
+     * @throws IOException if the file holds no certificate or cannot be read; the message is for a person
      */
     public static X509Certificate[] certificates(Path file) throws IOException {
         try {

@@ -11,7 +11,7 @@ import javax.net.ssl.SSLSocket;
 import javino.LineSettings;
 
 final class TlsTransport extends TcpTransport {
-    /** The time limit for telling the far end that the connection ends: the far end may have stopped reading. */
+    /** The time limit for ending TLS, because the far end may have stopped reading. */
     private static final int FAREWELL_MILLIS = 100;
 
     private final SSLSocket socket;
@@ -19,8 +19,8 @@ final class TlsTransport extends TcpTransport {
     private final Function<IOException, String> broken;
 
     /**
-     * @param socket a socket over {@code plain} whose handshake is done; this transport owns both
-     * @param broken turns the exception of a read or a write into the reason of the loss
+     * @param socket a socket over {@code plain} after its handshake. This transport owns both sockets
+     * @param broken returns the reason of the loss for an exception of a read or a write
      */
     TlsTransport(
             SSLSocket socket,
@@ -50,14 +50,14 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // even after a failed farewell, so that earlier bytes arrive
+                drain(plain, plain.getInputStream()); // even after a failed farewell, so earlier bytes arrive
             }
         } catch (IOException e) {
             noteHaste(e);
         }
     }
 
-    /** Ends TLS. This takes the TLS socket's lock. If a waiting write holds the lock, closing the TCP socket below ends the write. */
+    /** Ends TLS, which needs the TLS socket's lock. If a waiting write holds the lock, closing the TCP socket ends that write. */
     private void sayFarewell() {
         try {
             BlockingCall.start("close " + name(), () -> {

@@ -5,8 +5,9 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * {@code tls://host:port}: a board on the network behind TLS. The first connection stores the board's certificate in the folder
- * {@code ~/.argo/tls}, unless it already has one. From then on only that certificate is accepted; see the documentation of the ports.
+ * Opens {@code tls://host:port}: a board on the network, over TLS. The first connection stores the board's certificate in the folder
+ * {@code ~/.argo/tls}, unless the folder already has one. Later connections accept only the stored certificate. The documentation of the
+ * ports has the details.
  */
 public final class TlsTransportProvider extends TcpTransportProvider {
     @Override

@@ -1,5 +1,2 @@
-/**
- * Opens connections to boards in a network and to serial servers: the ports {@code tcp://HOST:PORT}, and {@code tls://HOST:PORT} with
- * certificates at both ends.
- */
+/** Connects to boards and serial servers on a network: the ports {@code tcp://HOST:PORT} and {@code tls://HOST:PORT}. */
 package javino.tcp;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A part of an answer, or a whole answer, as one frame carries it.
+ * One frame of an answer: a part or the whole answer.
  *
  * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
  */
@@ -12,9 +12,9 @@ public record AnswerPart(FrameKind kind, String payload) {
     /** The most parts of an answer. */
     public static final int MAX_PARTS = 255;
 
-    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // two bytes hold the numbers of request and part
+    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // without the numbers of the request and the part
 
-    /** The frames of an answer, as few as possible; see {@link #split(int, String, int)}. */
+    /** Returns as few frames for an answer as possible; see {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {
         return items.length() < WireFrame.MAX_PAYLOAD
                 ? List.of(whole(request, items))
@@ -22,10 +22,10 @@ public record AnswerPart(FrameKind kind, String payload) {
     }
 
     /**
-     * The frames of an answer in their order.
+     * Returns the frames of an answer in order.
      *
      * @param request number of the answered request; 0: none
-     * @param size the most bytes of the answer in a frame; a greater size is used if there would be too many parts
+     * @param size the most bytes of the answer in a frame. If this makes too many parts, a larger size is used
      * @throws IllegalArgumentException if the answer is longer than {@value #MAX_PARTS} frames can carry
      */
     public static List<AnswerPart> split(int request, String items, int size) {

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * A critical rule that a board itself watches.
+ * A critical rule that the board itself watches.
  *
  * @param functor the percept's functor, with a {@code ~} in front if the percept is negated
- * @param conditions conditions that must all be met; none: each percept of the functor is critical
- * @param reflex the text of the command that the board carries out when the rule begins to be met; null: none
+ * @param conditions conditions that must all be true; empty: each percept with the functor matches
+ * @param reflex the text of the command that the board carries out when the rule begins to match; null: no command
  */
 public record BoardRule(String functor, List<Condition> conditions, String reflex) {
     private static final char END = 0;
@@ -51,7 +51,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
      *
      * @param place the position of the argument, 1 to 9
      * @param value a number, or the text of another term
-     * @param until the value that counts while the rule is met; null: {@code value} counts
+     * @param until the value to use while the rule matches; null: use {@code value}
      */
     public record Condition(int place, Operator operator, String value, String until) {
         /** The highest position of an argument. */
@@ -63,19 +63,19 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
             }
         }
 
-        /** A condition whose value is the same while the rule is met. */
+        /** Creates a condition that always uses one value. */
         public Condition(int place, Operator operator, String value) {
             this(place, operator, value, null);
         }
     }
 
-    /** Returns whether a command can carry the rule: it is short enough, and each character is a byte. */
+    /** Returns whether a command can carry the rule: the rule is short enough, and each character is a byte. */
     public boolean isSendable() {
         String text = text(1);
         return text.length() <= CommandItem.MAX_TEXT && text.chars().allMatch(c -> c <= 0xFF);
     }
 
-    /** The command that makes this the board's rule {@code number}, 1 to 255. */
+    /** Returns the command that sets this rule on the board as rule {@code number}, 1 to 255. */
     public CommandItem.Rule setting(int number) {
         return new CommandItem.Rule(text(number));
     }
@@ -96,12 +96,12 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return text.toString();
     }
 
-    /** The command that removes rule {@code number}; 0: all rules. */
+    /** Returns the command that removes rule {@code number}; 0: all rules. */
     public static CommandItem.Rule removal(int number) {
         return new CommandItem.Rule("" + (char) number);
     }
 
-    /** The rule that a command sets; null: it sets none, or is malformed. */
+    /** Returns the rule that a command sets, or null if the command sets none or is malformed. */
     public static BoardRule read(CommandItem.Rule command) {
         String text = command.text();
         int end = text.indexOf(END, 1);
@@ -141,7 +141,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
                 : null;
     }
 
-    /** Returns whether {@code text} is a number; two numbers are compared by value. */
+    /** Returns whether {@code text} is a number. Numbers are compared by value. */
     public static boolean isNumber(String text) {
         return NUMBER.matcher(text).matches();
     }

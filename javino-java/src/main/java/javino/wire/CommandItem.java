@@ -3,9 +3,9 @@ package javino.wire;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A command in the form that it has in a frame. */
+/** A command in the form that a frame carries. */
 public sealed interface CommandItem {
-    /** An action without arguments, by its number in the vocabulary: 0 to {@value CommandItem#MAX_ACTION}. */
+    /** An action without arguments, given by its number in the vocabulary: 0 to {@value CommandItem#MAX_ACTION}. */
     record Action(int number) implements CommandItem {
         public Action {
             if (number < 0 || number > MAX_ACTION) {
@@ -19,7 +19,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** A command by its text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
+    /** A command given as text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
     record Text(String text) implements CommandItem {
         public Text {
             requireLength(text);
@@ -44,7 +44,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** No command, in place of a command whose time is over. */
+    /** No command. Replaces a command whose time is over. */
     record Nothing() implements CommandItem {
         @Override
         public String payload() {
@@ -55,10 +55,10 @@ public sealed interface CommandItem {
     /** The highest number of an action that can be called by number. */
     int MAX_ACTION = 125;
 
-    /** Bytes of the longest command. */
+    /** Length of the longest command in bytes. */
     int MAX_TEXT = WireFrame.MAX_PAYLOAD - 2;
 
-    /** The item's bytes on the line, a character a byte. */
+    /** Returns the item's bytes, one character a byte. */
     String payload();
 
     private static void requireLength(String text) {
@@ -67,7 +67,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** The commands of a payload, up to the first cut or empty item. */
+    /** Returns the commands of a payload, up to the first truncated or empty item. */
     static List<CommandItem> read(String payload) {
         List<CommandItem> items = new ArrayList<>();
         int at = 0;
@@ -91,12 +91,12 @@ public sealed interface CommandItem {
         return items;
     }
 
-    /** The first byte of an action by number, to which its number is added. */
+    /** The first byte of an action by number is this value plus the number. */
     char BY_NUMBER = 0x80;
     /** The byte of {@link Nothing}. */
     char NOTHING = 0xFE;
-    /** The byte in front of the length of a rule. */
+    /** The byte before the length of a rule. */
     char RULE = 0xFF;
-    /** The byte in front of the length of a text. A text of 128 bytes or more needs this byte; a shorter text may have it. */
+    /** The byte before the length of a long text. A text of 128 bytes or more needs this byte. A shorter text may have it. */
     char LONG_TEXT = 0;
 }

@@ -21,7 +21,7 @@ final class Crc16 {
         return table;
     }
 
-    /** Begins a new checksum, for a frame of the session with this nonce; 0: for a frame of no session. */
+    /** Begins the checksum of a frame. A frame outside of a session has nonce 0. */
     void reset(int nonce) {
         value = START ^ nonce << 8;
     }

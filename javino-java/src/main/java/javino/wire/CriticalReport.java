@@ -1,20 +1,20 @@
 package javino.wire;
 
 /**
- * A board's report that a rule begins to be met.
+ * A board's report that a rule begins to match.
  *
  * @param outcome the outcome of the rule's reflex
- * @param percept the text of the percept that meets the rule, with its {@code ;}
+ * @param percept the text of the matching percept, with its {@code ;}
  */
 public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
     private static final int HEADER = 2;
 
-    /** The report's bytes on the line, a character a byte. */
+    /** Returns the report's bytes, one character a byte. */
     public String payload() {
         return "" + (char) rule + (char) outcome.ordinal() + percept;
     }
 
-    /** Reads a payload; null: it is cut, or the outcome of the reflex is unknown. */
+    /** Reads a payload. Returns null if it is truncated, or if the outcome of the reflex is unknown. */
     public static CriticalReport read(String payload) {
         ReflexOutcome[] outcomes = ReflexOutcome.values();
         return payload.length() < HEADER || payload.charAt(1) >= outcomes.length

@@ -10,12 +10,12 @@ public enum FrameKind {
     ASK(0x20),
     /** Requests a page of the vocabulary. */
     DESCRIBE(0x28),
-    /** Commands. The first command has the frame's number, and each further command the next number. */
+    /** Commands. The first command has the frame's number. Each further command has the next number. */
     COMMANDS(0x30),
-    /** Like {@link #COMMANDS}, and tells the board that the computer has seen the refusal of a command. */
+    /** Like {@link #COMMANDS}. Also tells the board that the computer has seen the refusal of a command. */
     COMMANDS_WITH_RESUME(0x31),
 
-    /** The answer to {@link #HELLO}, or "no session". */
+    /** The answer to {@link #HELLO}. Also tells that the board has no session. */
     WELCOME(0x80),
     /** The answer to commands. */
     ACK(0x81),
@@ -25,7 +25,7 @@ public enum FrameKind {
     PERCEPTS_PART(0x83),
     /** The last part of an answer of several parts. */
     PERCEPTS_LAST(0x84),
-    /** A rule on the board begins to be met. */
+    /** A report that a rule on the board begins to match. */
     CRITICAL(0x85),
     /** A page of the vocabulary. */
     VOCABULARY(0x86);
@@ -48,17 +48,17 @@ public enum FrameKind {
         return code;
     }
 
-    /** Returns whether the board sends such frames; false: the computer does. */
+    /** Returns whether the board sends frames of this kind. Otherwise the computer does. */
     public boolean isFromBoard() {
         return (code & FROM_BOARD) != 0;
     }
 
-    /** Returns whether frames of this kind have the same checksum in all sessions: only HELLO and WELCOME do. */
+    /** Returns whether the checksum of this kind does not depend on the session. */
     boolean isOfNoSession() {
         return this == HELLO || this == WELCOME;
     }
 
-    /** The kind whose control byte, without flags, is {@code code}; null: there is none. */
+    /** Returns the kind for a control byte without flags, or null. */
     static FrameKind of(int code) {
         return BY_CODE[code];
     }

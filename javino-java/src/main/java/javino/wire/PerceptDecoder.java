@@ -4,26 +4,26 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The computer's side of an answer: turns items into text, and keeps the {@link Shape}s of a session. One thread at a time. */
+/** Turns the items of an answer into text, on the computer. Keeps the {@link Shape}s of a session. Not thread-safe. */
 public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
 
-    /** The number of known shapes: all from shape 0 up to the first gap. */
+    /** Returns the number of known shapes, counted up to the first gap. */
     public int known() {
         return known;
     }
 
-    /** Forgets all shapes: the session has ended, or an answer could not be read. */
+    /** Forgets all shapes. Call this when the session has ended, or when an answer could not be read. */
     public void forget() {
         Arrays.fill(shapes, null);
         known = 0;
     }
 
     /**
-     * The text of an answer; empty: an item cannot be read, so all shapes are forgotten.
+     * Returns the text of an answer. If an item cannot be read, forgets all shapes and returns empty.
      *
-     * @param items the items of all parts of the answer; a few bytes of items may make thousands of bytes of text
+     * @param items the items of all parts of the answer. A few bytes of items may make thousands of bytes of text
      * @param limit the most bytes of the text
      * @throws TooLongException if the text is longer; the shapes read so far are kept
      */
@@ -40,7 +40,7 @@ public final class PerceptDecoder {
         }
     }
 
-    /** The text of an answer is longer than the limit. */
+    /** Thrown if the text of an answer is longer than the limit. */
     public static final class TooLongException extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
@@ -49,7 +49,7 @@ public final class PerceptDecoder {
         private static final long serialVersionUID = 1;
     }
 
-    /** Reads one answer. A read beyond the end proves that the answer is cut. */
+    /** Reads one answer. A read beyond the end shows that the answer is truncated. */
     private final class Reading {
         private final String items;
         private final int limit;
@@ -145,7 +145,7 @@ public final class PerceptDecoder {
             return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
         }
 
-        /** The index of the byte behind the digits and their padding half byte. */
+        /** Returns the index of the byte after the digits and their padding half byte. */
         int end() {
             if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
                 throw new UnreadableException();

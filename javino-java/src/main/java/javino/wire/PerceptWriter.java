@@ -5,31 +5,31 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The board's side of an answer: turns percepts into items, and numbers the {@link Shape}s of a session. One thread at a time. */
+/** Turns percepts into the items of an answer, on the board. Numbers the {@link Shape}s of a session. Not thread-safe. */
 public final class PerceptWriter {
     private final int capacity;
     private final Map<Shape, Integer> ids = new HashMap<>();
 
-    /** @param capacity how many shapes the board can number, 0 to 126 */
+    /** @param capacity number of shapes that the board can number, 0 to 126 */
     public PerceptWriter(int capacity) {
         this.capacity = Math.min(capacity, PerceptItems.MAX_IDS);
     }
 
-    /** How many shapes have a number in this session. */
+    /** Returns the number of shapes that have a number in this session. */
     public int numbered() {
         return ids.size();
     }
 
-    /** Forgets all shapes: a session begins. */
+    /** Forgets all shapes. Call this when a session begins. */
     public void forget() {
         ids.clear();
     }
 
     /**
-     * The items of an answer.
+     * Returns the items of an answer.
      *
      * @param percepts texts, each with its {@code ;}
-     * @param known how many shapes the computer knows
+     * @param known number of shapes that the computer knows
      */
     public String items(List<String> percepts, int known) {
         StringBuilder items = new StringBuilder();
@@ -49,14 +49,14 @@ public final class PerceptWriter {
         return items.toString();
     }
 
-    /** The items of texts without ids, such as those of a description. */
+    /** Returns the items of texts without shape ids, such as a description. */
     public static String itemsWithoutIds(List<String> texts) {
         StringBuilder items = new StringBuilder();
         texts.forEach(text -> putText(items, text, PerceptItems.NO_ID));
         return items.toString();
     }
 
-    /** The id of a new shape; if no id is left, the mark of a text without an id. */
+    /** Returns the id of a new shape. If no id is left, returns {@link PerceptItems#NO_ID}. */
     private int number(Shape shape, String percept) {
         if (ids.size() >= capacity || percept.length() > PerceptItems.MAX_LENGTH) {
             return PerceptItems.NO_ID;
@@ -77,7 +77,7 @@ public final class PerceptWriter {
                 .append(rest);
     }
 
-    /** A row of percepts with consecutive ids, which are sent as digits only. */
+    /** A row of percepts with consecutive ids, sent as digits only. */
     private static final class Row {
         private final StringBuilder items;
         private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte

@@ -4,25 +4,24 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text without its digits: the pieces between the runs of digits, one piece more than runs. All values of one sensor usually
- * have one shape.
+ * A percept's text without its digits: the pieces between the runs of digits. All values of one sensor usually have one shape.
  *
- * @param pieces the texts before, between and behind the runs of the digits 0 to 9; each may be empty
+ * @param pieces the texts before, between and after the runs of the digits 0 to 9; each may be empty. There is one piece more than runs
  */
 public record Shape(List<String> pieces) {
     public Shape {
         pieces = List.copyOf(pieces);
     }
 
-    /** The shape of a text. */
+    /** Returns the shape of a text. */
     public static Shape of(String text) {
         return of(text, new ArrayList<>());
     }
 
     /**
-     * The shape of a text.
+     * Returns the shape of a text.
      *
-     * @param runs the list to which the text's runs of digits are added, in their order
+     * @param runs receives the text's runs of digits, in order
      */
     public static Shape of(String text, List<String> runs) {
         List<String> pieces = new ArrayList<>();

@@ -13,14 +13,17 @@ import java.util.List;
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
     private static final int HEADER = 3;
 
-    /** The longest name of an action that a page holds, in bytes. */
+    /** The longest name of an action on a page, in bytes. */
     public static final int MAX_NAME = WireFrame.MAX_PAYLOAD - HEADER - 2;
 
     public VocabularyPage {
         actions = List.copyOf(actions);
     }
 
-    /** The page that begins with action {@code first} of {@code all} and holds as many actions as fit into {@code maxPayload} bytes. */
+    /**
+     * Returns the page that begins with action {@code first} of {@code all}. The page has as many actions as fit into {@code maxPayload}
+     * bytes.
+     */
     public static VocabularyPage of(int request, int first, List<BoardAction> all, int maxPayload) {
         List<BoardAction> fitting = new ArrayList<>();
         int length = HEADER;
@@ -34,7 +37,7 @@ public record VocabularyPage(int request, int first, int total, List<BoardAction
         return new VocabularyPage(request, first, all.size(), fitting);
     }
 
-    /** The page's bytes on the line, a character a byte. */
+    /** Returns the page's bytes, one character a byte. */
     public String payload() {
         StringBuilder payload =
                 new StringBuilder().append((char) request).append((char) first).append((char) total);
@@ -46,7 +49,7 @@ public record VocabularyPage(int request, int first, int total, List<BoardAction
         return payload.toString();
     }
 
-    /** Reads a payload; null: it is cut. */
+    /** Reads a payload. Returns null if it is truncated. */
     public static VocabularyPage read(String payload) {
         if (payload.length() < HEADER) {
             return null;

@@ -3,9 +3,9 @@ package javino.wire;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
-/** Finds the frames of one direction and one session in the bytes that arrive. Times are nanoseconds of one clock. One thread at a time. */
+/** Finds the frames of one direction and one session in arriving bytes. Times are nanoseconds of one clock. Not thread-safe. */
 public final class WireDecoder {
-    private static final int PAYLOAD_AT = 3; // length, kind and number come first
+    private static final int PAYLOAD_AT = 3; // after length, kind and number
     private static final int CRC_LENGTH = 2;
 
     private final boolean fromBoard;
@@ -16,24 +16,24 @@ public final class WireDecoder {
     private final StringBuilder content = new StringBuilder(); // length, kind, number and payload, without escapes
     private boolean isInFrame;
     private boolean isEscaped;
-    private int checksum; // the part of the checksum that has been received
+    private int checksum; // the received part of the checksum
     private int checksumBytes;
     private long lastByteNanos;
     private long damaged;
     private long corrupt;
 
     /**
-     * @param fromBoard true: a board sends the frames; false: a computer does
+     * @param fromBoard true: a board sends the frames; false: a computer sends the frames
      * @param timeoutNanos silence that ends a frame
-     * @param nonce gives the nonce of the session when a frame ends; 0: no session. Without a session a board checks only the checksum of
-     *     HELLO, and finds all other frames; a computer finds only WELCOME
-     * @param found takes each frame, on the thread that hands in its last byte
+     * @param nonce gives the nonce of the session when a frame ends; 0: there is no session. Without a session a board checks only the
+     *     checksum of HELLO, and finds all other frames. A computer without a session finds only WELCOME
+     * @param found takes each frame, on the thread that passes in the frame's last byte
      */
     public WireDecoder(boolean fromBoard, long timeoutNanos, IntSupplier nonce, Consumer<WireFrame> found) {
         this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, nonce, found);
     }
 
-    /** Like the other constructor, but a frame with more than {@code longestPayload} bytes of payload counts as damaged. */
+    /** Like the other constructor, but a frame with a payload of more than {@code longestPayload} bytes counts as damaged. */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;
@@ -43,14 +43,14 @@ public final class WireDecoder {
         this.found = found;
     }
 
-    /** Takes {@code count} bytes that arrived without a silence between them, the last at {@code now}. */
+    /** Takes {@code count} bytes without a silence between them. The last byte arrived at {@code now}. */
     public void accept(byte[] bytes, int offset, int count, long now) {
         for (int i = offset; i < offset + count; i++) {
             accept(bytes[i], now);
         }
     }
 
-    /** Takes bytes that arrived at an unknown time up to {@code now}; no silence is assumed before them. */
+    /** Takes bytes that arrived at an unknown time up to {@code now}. Assumes no silence before the bytes. */
     public void acceptUnbroken(byte[] bytes, int offset, int count, long now) {
         lastByteNanos = now;
         accept(bytes, offset, count, now);
@@ -72,14 +72,17 @@ public final class WireDecoder {
         return belongs;
     }
 
-    /** Notes that nothing has arrived since the last byte: a silence ends an unfinished frame. */
+    /** Notes that nothing has arrived from the last byte until {@code now}. A silence ends an unfinished frame. */
     public void idle(long now) {
         if (isInFrame && now - lastByteNanos > timeoutNanos) {
             drop();
         }
     }
 
-    /** Nanoseconds from {@code now} until {@link #idle} has something to do; {@link Long#MAX_VALUE} outside of a frame. */
+    /**
+     * Returns the nanoseconds from {@code now} after which {@link #idle} must be called. Returns {@link Long#MAX_VALUE} outside of a
+     * frame.
+     */
     public long nanosUntilIdle(long now) {
         return isInFrame ? Math.max(0, lastByteNanos + timeoutNanos + 1 - now) : Long.MAX_VALUE;
     }
@@ -89,12 +92,12 @@ public final class WireDecoder {
         return isInFrame;
     }
 
-    /** The number of damaged frames so far. */
+    /** Returns the number of damaged frames so far. */
     public long damaged() {
         return damaged;
     }
 
-    /** The number of frames so far with a wrong checksum in their session. */
+    /** Returns the number of frames so far with a wrong checksum for their session. */
     public long corrupt() {
         return corrupt;
     }

@@ -6,23 +6,24 @@ import java.nio.charset.StandardCharsets;
 /**
  * A frame of version 2.
  *
- * @param isRefused from the board: the last command was refused, and the commands behind it wait
- * @param isBusy from the board: the command that is due is being carried out
- * @param number the byte SS, 0 to 255: the number of a command, a request or a session; from the board: of the command that is due
+ * @param isRefused set by a board: the last command was refused, and later commands wait
+ * @param isBusy set by a board: the board is carrying out the next command
+ * @param number the byte SS, 0 to 255. From a computer: the number of a command, a request or a session. From a board: the number of the
+ *     next command
  * @param payload 0 to {@value #MAX_PAYLOAD} characters, each a byte
  */
 public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int number, String payload) {
     /** The longest payload, in bytes. */
     public static final int MAX_PAYLOAD = 255;
 
-    /** Bytes around a payload. */
+    /** Number of bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    /** The byte that begins a frame. A frame contains this byte only at its beginning. */
+    /** The byte that begins a frame. It appears nowhere else in a frame. */
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;
-    static final int ESCAPED = 0xA0; // added to the byte that follows ESCAPE
+    static final int ESCAPED = 0xA0; // added to the byte after ESCAPE
     static final int REFUSED = 0x40;
     static final int BUSY = 0x20;
 
@@ -44,15 +45,15 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
         return new WireFrame(kind, false, false, number, payload);
     }
 
-    /** Bytes on the line, escapes not counted. */
+    /** Returns the number of bytes of the frame without escapes. */
     public int length() {
         return OVERHEAD + payload.length();
     }
 
     /**
-     * The frame's bytes on the line, in a new array.
+     * Returns the frame's bytes in a new array.
      *
-     * @param nonce the session's nonce, 0 to 255; the bytes of HELLO and WELCOME are the same in all sessions
+     * @param nonce the session's nonce, 0 to 255; HELLO and WELCOME do not depend on it
      */
     public byte[] toBytes(int nonce) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(length() + 2);

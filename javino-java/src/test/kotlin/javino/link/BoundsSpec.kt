@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 import javino.virtual.Bounded
 import javino.virtual.checkBounds
 
-/** The bounds of docs/real-time.md; `./argo bench bounds` makes a million exchanges. */
+/** Checks the bounds of docs/real-time.md. `./argo bench bounds` makes a million exchanges. */
 @Tags("Thorough")
 class BoundsSpec : FunSpec({
     test("no exchange takes longer than its bound, whatever the line, the board and the agent's interval") {

@@ -13,7 +13,6 @@ import javino.interleavings.inEachInterleaving
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 
-/** A line that takes each frame at once. */
 private class TakingLine : Transport {
     private val writes = AtomicInteger()
     val taken = ConcurrentLinkedQueue<String>()
@@ -42,7 +41,7 @@ private class TakingLine : Transport {
     }
 }
 
-/** The commands of a line of version 1 without pauses; no time passes, so each wait ends with a signal or never. */
+/** The commands of an unpaced line of version 1. No time passes, so each wait ends with a signal or never. */
 private class CommandLine {
     private val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withPaced(false).withBootMillis(0)
     private val time = LineTime()

@@ -11,7 +11,7 @@ import javino.virtual.LineEnd
 
 private const val REQUEST = "getPercepts"
 
-/** [board] behind a line that brings back all that is sent, as a two-wire RS-485 adapter does. */
+/** [board] behind a line that echoes all sent bytes, such as a two-wire RS-485 adapter. */
 private class EchoingLine(private val board: LineEnd) : LineEnd {
     override fun look(end: Transport, now: Double) = board.look(
         object : Transport by end {

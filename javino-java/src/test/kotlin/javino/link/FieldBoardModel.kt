@@ -4,12 +4,12 @@ import javino.Frame
 import javino.FrameDecoder
 
 /**
- * A board with the field's library, in a time of its own: a receive buffer of 63 bytes, and a `loop()` that handles a message, waits while
- * an answer goes out, and then does something else. Between two loops it reads all that has arrived, with room for one message: the first
- * byte of the next frame empties it, so that the sketch looks up a handler for nothing and calls a null pointer; from the fifth byte on
- * the message is forgotten.
+ * A model of a board with the original library of version 1, with a clock of its own. It has a receive buffer of 63 bytes. Its `loop()`
+ * handles a message, waits while an answer goes out, and then does something else. Between two loops it reads all bytes that have
+ * arrived, with room for one message. The first byte of the next frame empties the message. The sketch then finds no handler and calls a
+ * null pointer. From the fifth byte on the message is forgotten.
  *
- * @param buildNanos time to build an answer, between the look at the line that finds the request and the first byte
+ * @param buildNanos time to build an answer, between the read that finds the request and the first byte
  * @param startNanos time of a restart
  */
 internal class FieldBoardModel(
@@ -28,9 +28,9 @@ internal class FieldBoardModel(
 
     private val buffer = ArrayDeque<Byte>()
     private var message: String? = null
-    private var bytesBehind = 0 // bytes read behind the message
+    private var bytesBehind = 0 // bytes read after the message
     private var decoder = newDecoder()
-    private val outgoing = ArrayDeque<Long>() // times at which the bytes of the answer have left
+    private val outgoing = ArrayDeque<Long>() // times at which the answer's bytes have left
     private var busyUntil = 0L
     private var startsUntil = 0L
 
@@ -40,13 +40,12 @@ internal class FieldBoardModel(
         bytesBehind = 0
     }
 
-    /** A byte arrives at [now]. */
     fun receive(byte: Byte, now: Long) {
         if (now < startsUntil) return
         if (buffer.size == RECEIVE_BUFFER) overflowed++ else buffer.addLast(byte)
     }
 
-    /** Lets time go on to [now]; returns the number of bytes of an answer that have left by then. */
+    /** Advances the clock to [now]. Returns the number of answer bytes that have left by then. */
     fun advance(now: Long): Int {
         if (now >= busyUntil) loop(now)
         var gone = 0
@@ -91,7 +90,7 @@ internal class FieldBoardModel(
     companion object {
         const val REQUEST = "getPercepts"
 
-        /** Bytes of the next frame behind which an emptied message is still taken for one. */
+        /** Number of bytes of the next frame after which the emptied message is forgotten. */
         private const val CLEARING = 4
         private const val RECEIVE_BUFFER = 63
         private const val TRANSMIT_BUFFER = 64

@@ -8,12 +8,12 @@ import javino.Frame
 
 private const val LOOP = 1_000L
 
-/** A board that looks at the line at 0, 1,000, 2,000 ns and so on. */
+/** A board that reads the line every 1,000 ns from 0 on. */
 private class Looks {
     val board = FieldBoardModel(10, LOOP, Frame.of("dist(f,1);"), startNanos = 5_000)
     private var now = 0L
 
-    /** Lets [text] arrive in one piece and the board look at it. */
+    /** Lets [text] arrive in one piece. The board then reads it. */
     fun read(text: String) = apply {
         text.forEach { board.receive(it.code.toByte(), now) }
         now += LOOP

@@ -16,10 +16,10 @@ import javino.Frame
 private const val STEP = 20_000L // ns
 private const val MILLI = 1_000_000L
 
-/** The time at which an action is asked for, in ms, and its length. */
+/** An action to send, with its time in ms and its length. */
 private data class Order(val atMillis: Int, val length: Int)
 
-/** A link and a field board in virtual time: percepts are asked for again and again, and actions come as ordered. */
+/** A link and a field board in virtual time. The link requests percepts repeatedly and sends the ordered actions. */
 private class FieldExchange(
     baud: Int,
     loopNanos: Long,
@@ -92,7 +92,7 @@ class FieldBoardPacingSpec : FunSpec({
 
     test("a field board loses no message and never restarts, whatever comes when") {
         checkAll(30, bauds, loops, answers, intervals, orders, builds) { baud, loop, answer, interval, times, build ->
-            val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
+            val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than a message
             val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) }, build)
             exchange.runUntil(8_000 * MILLI)
             exchange.board.restarts shouldBe 0

@@ -22,10 +22,10 @@ private const val REQUEST = "getPercepts"
 private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
 private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0).withProtocol(Protocol.V1)
 
-/** As long as an answer of a robot with twelve sensors; two of these do not fit into a frame's length. */
+/** An answer like that of a robot with twelve sensors. Two such answers do not fit into one frame. */
 private fun percepts(n: Int) = "count($n);" + "dist(f,$n);".repeat(12)
 
-/** A board of version 1 that answers each request that it reads with the next percepts. */
+/** A board of version 1 that answers each request with the next percepts. */
 private class CountingBoard(private val said: (Int) -> Unit = { }) : EventBoard {
     override val dueMillis = Double.POSITIVE_INFINITY
     val actions = mutableListOf<String>()
@@ -45,7 +45,7 @@ private class CountingBoard(private val said: (Int) -> Unit = { }) : EventBoard 
     }
 }
 
-/** A board of version 1 that speaks by itself, every [gapMillis] ms. */
+/** A board of version 1 that sends percepts unasked, every [gapMillis] ms. */
 private class Talker(private val frames: Int, private val gapMillis: Double, private val said: (Int) -> Unit) : EventBoard {
     private var count = 0
     override var dueMillis = 0.0
@@ -66,7 +66,7 @@ class FieldFaultSpec : FunSpec({
             .config(timeout = 30.minutes) {
                 val faults = RandomFaults(rate, lost = rate, doubled = rate, late = rate, latestNanos = 90_000_000, seed = 2026)
                 val intact = mutableListOf<Int>()
-                val whole = HashSet<Int>() // the numbers of the messages that came undamaged
+                val whole = HashSet<Int>() // numbers of the undamaged messages
                 var delivered = 0
                 EventLine(FAST, Talker(EXCHANGES, gap) { if (faults.intact) intact += it }, toComputer = faults).use { line ->
                     val inbox = inboxOn(line.transport, line.clock)
@@ -128,7 +128,7 @@ class FieldFaultSpec : FunSpec({
             EventLine(FAST, board, toBoard = cut).use { line ->
                 line.link.request(REQUEST, 200).text() shouldBe percepts(1)
                 try { line.link.request(REQUEST, 200).text() } catch (_: PortTimeoutException) { null } shouldBe null
-                line.link.sendAndAwait("stop", SendOptions(true, 200)) // one that is not urgent would wait for an answer
+                line.link.sendAndAwait("stop", SendOptions(true, 200)) // a command that is not urgent would wait for an answer
                 line.link.request(REQUEST, 200).text() shouldBe percepts(2)
             }
             board.actions shouldContainExactly listOf("stop")

@@ -24,7 +24,7 @@ internal fun inboxOn(line: Transport, clock: LineClock, listener: Inbox.Listener
     return Inbox(monitor, line, clock, KnownBoard(monitor, clock, LinkSettings.defaults().withProtocol(Protocol.V1)), listener)
 }
 
-/** An inbox on a line in memory, whose far end a test holds. */
+/** An inbox on a line in memory. The test holds the far end. */
 private class InboxProbe {
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
@@ -105,7 +105,7 @@ class InboxSpec : FunSpec({
         val computer = object : Transport by line.computer() {
             override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
                 val count = line.computer().read(b, off, len, timeoutMillis)
-                if (count == 0) clock.advance(1_000_000_000) // the computer does something else, and meanwhile the rest arrives
+                if (count == 0) clock.advance(1_000_000_000) // the computer pauses, and the rest arrives
                 return count
             }
         }
@@ -137,7 +137,7 @@ class InboxSpec : FunSpec({
         val line = object : Transport by MemoryLine.unlimited("slow", LineSettings.defaults()).computer() {
             override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
                 reading.countDown()
-                free.await() // as while a driver closes the port
+                free.await() // a driver may close the port during a read
                 return 0
             }
         }

@@ -12,7 +12,7 @@ import javino.sim.SimulatedBoards
 import javino.wire.WireDecoder
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** A board that says nothing, and notes the version in which it is addressed. */
+/** A silent board that records the protocol versions of its messages. */
 private class VersionsHeard(private val versions: MutableList<Int>) : SimulatedBoard {
     override fun run(line: Transport) {
         val version1 = FrameDecoder(Long.MAX_VALUE / 2) { versions += 1 }

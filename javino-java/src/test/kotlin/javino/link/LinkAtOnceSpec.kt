@@ -16,7 +16,7 @@ import kotlin.time.Duration.Companion.seconds
 
 private val boards = AtomicInteger()
 
-/** A line that records which thread writes how many bytes, and does [duringWrite] meanwhile. */
+/** A line that records each write's thread and length. Calls [duringWrite] during each write. */
 private class WatchedLine(private val line: Transport) : Transport by line {
     val writers = CopyOnWriteArrayList<Pair<Thread, Int>>()
 
@@ -35,7 +35,7 @@ private class WatchedLine(private val line: Transport) : Transport by line {
     }
 }
 
-/** A test of the thread that hands a command to the driver. */
+/** Tests which thread hands a command to the driver. */
 class LinkAtOnceSpec : FunSpec({
     val here = Thread::currentThread
 
@@ -48,7 +48,7 @@ class LinkAtOnceSpec : FunSpec({
                 val running = async { board.program().run(memory.board()) }
                 val line = WatchedLine(memory.computer())
                 Link.over(line, settings, LineClock.system()).use { link ->
-                    link.request("getPercepts", 20_000) // a session has begun
+                    link.request("getPercepts", 20_000)
                     while (protocol == Protocol.V2 && link.vocabulary().isEmpty) link.watch(10)
                     line.writers.clear()
                     work(line, link, board)
@@ -105,7 +105,7 @@ class LinkAtOnceSpec : FunSpec({
                 sent.get(20, TimeUnit.SECONDS)
             }
             val here = nanos.filter { it != Long.MAX_VALUE }.drop(CALLS / 4).sorted()
-            val (median, most) = listOf(50, 99).map { here.getOrNull(here.size * it / 100) } // a crowded machine may have written none so
+            val (median, most) = listOf(50, 99).map { here.getOrNull(here.size * it / 100) } // may be null on a busy machine
             println("measured: $protocol, ${here.size} of ${CALLS * 3 / 4} commands written by who sends them, " +
                 "$median ns from the call to the driver, 99th percentile $most ns")
         }

@@ -17,9 +17,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
-/** A board that can be reached at [port], and the plug. */
+/** A board that can be reached at [port], and a function that unplugs it. */
 internal class Bench(val port: String, val board: FakeBoard, val unplug: () -> Unit, private val release: () -> Unit) : AutoCloseable {
-    /** The link, opened when it is first asked for. */
     val link: Link by lazy { open() }
     private val links = mutableListOf<Link>()
 
@@ -37,10 +36,10 @@ internal class Bench(val port: String, val board: FakeBoard, val unplug: () -> U
 
 private const val LONG_MILLIS = 20_000
 
-/** More answers than can be on the line in that contract. */
+/** More late answers than the line can hold in this contract. */
 private const val MAX_LATE = 10
 
-/** The contract of a link over any transport; a subclass supplies the board. */
+/** The contract of a link over any transport. A subclass supplies the board. */
 internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : FunSpec({
     fun contract(name: String, body: Bench.() -> Unit) =
         test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { bench().use(body) }
@@ -101,8 +100,8 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         link.request("getPercepts", LONG_MILLIS).text() shouldBe "hello"
     }
 
-    // Tests in virtual time show that already the next request gets its own answer: on a busy machine the line may fall silent between two
-    // late answers for longer than version 1 waits for them.
+    // On a busy machine, the pause between two late answers may be longer than the silence that ends the wait for them. Tests in virtual
+    // time show that the next request gets its own answer.
     contract("after missed answers, requests get their own answers again, and not for good those before") {
         var count = 0
         link.request("getPercepts", LONG_MILLIS).text()
@@ -112,7 +111,7 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         val last = async { link.request("getPercepts", LONG_MILLIS).text() }
         board.resume()
         last.get(30, TimeUnit.SECONDS)
-        board.verify() // it has handled all requests, so no answer but those on the line is late
+        board.verify() // the board has handled all requests, so only answers on the line are late
         (1..MAX_LATE).any { link.request("getPercepts", LONG_MILLIS).text() == "count($count);" } shouldBe true
         repeat(3) { link.request("getPercepts", LONG_MILLIS).text() shouldBe "count($count);" }
     }

@@ -19,7 +19,7 @@ internal class SimulatedLinkSpec : LinkContract(Enabled.enabled, {
     Bench(board.port(), board, board::unplug, board::close)
 })
 
-/** The same, through the operating system: the fake board sits at the other end of a pseudo-terminal. */
+/** The contract over a pseudo-terminal. The fake board is at its other end. */
 internal class SerialLinkSpec : LinkContract(Terminals.available, {
     val terminals = Terminals.open()
     val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
@@ -34,7 +34,7 @@ internal class SerialLinkSpec : LinkContract(Terminals.available, {
     }
 })
 
-/** The same, over a network: the fake board is a program that listens. */
+/** The contract over TCP. The fake board's program listens on a socket. */
 internal class TcpLinkSpec : LinkContract(Enabled.enabled, {
     val server = Loopback()
     val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()

@@ -32,7 +32,7 @@ private const val REQUEST = "getPercepts"
 
 private fun bench(board: LineEnd) = VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.V2)
 
-/** WELCOME of a board that takes so many bytes of payload. */
+/** WELCOME of a board whose longest payload is [bytes]. */
 private fun withLongest(bytes: Int, welcome: WireFrame) =
     WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(2, 3, "${bytes.toChar()}"))
 
@@ -48,7 +48,7 @@ private class Events : BoardListener {
     }
 }
 
-/** An answer to the same request, of these [items]. */
+/** An answer to the request of [answer], with other [items]. */
 private fun answering(answer: WireFrame, items: String) = WireFrame.of(answer.kind(), 0, answer.payload().take(1) + items)
 
 class LinkDeliverySpec : FunSpec({

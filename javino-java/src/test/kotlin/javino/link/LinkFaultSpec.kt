@@ -28,22 +28,23 @@ import kotlin.time.Duration.Companion.minutes
 
 private const val REQUEST = "getPercepts"
 
-/** Bytes of a request, and of an answer of nine percepts whose texts are known. */
+/** Length of a request. An answer of nine percepts with known texts has this length too. */
 private const val ASK_BYTES = 7
 private const val ANSWER_BYTES = 42
 
-/** Exchanges at each rate, half of them actions; `./argo bench faults` makes a million. */
+/** Number of exchanges at each fault rate, half of them actions. `./argo bench faults` makes a million. */
 private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
 
-/** The share of exchanges of frames of so many bytes that one of three tries gets through unharmed. */
+/** The share of exchanges that one of three tries completes undamaged. */
 private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back: Int): Double {
     val bytes = there + back
     return 1 - (1 - ((1 - wrongBits).pow(8) * (1 - wrongBytes)).pow(bytes)).pow(3)
 }
 
 /**
- * The number of damaged frames that a 16-bit checksum must let through: one in 65,536 of those with four wrong bits or more, which is the
- * distance of this code, and of those whose length field is damaged into another number, since then the checksum is looked for elsewhere.
+ * The number of damaged frames that a 16-bit checksum cannot detect. It misses one in 65,536 frames with four or more wrong bits, because
+ * four is the distance of this code. It also misses one in 65,536 frames with a damaged length field, because the receiver then reads the
+ * checksum at a wrong place.
  */
 private fun missed(rate: Double, frames: Double, bytes: Int): Double {
     val bits = 8 * bytes
@@ -57,7 +58,7 @@ private fun missed(rate: Double, frames: Double, bytes: Int): Double {
     return frames * ((1 - upToThree).coerceAtLeast(0.0) + length) / 65_536
 }
 
-/** A limit that a number that is [expected] on average exceeds in less than one of a million runs. */
+/** A limit for a number with the average [expected]. Less than one of a million runs exceeds it. */
 private fun most(expected: Double): Int {
     var term = exp(-expected)
     var sum = term
@@ -108,7 +109,7 @@ class LinkFaultSpec : FunSpec({
         Triple("lost", 0.0) { RandomFaults(lost = 1e-3, seed = it) },
         Triple("doubled", 0.0) { RandomFaults(doubled = 1e-3, seed = it) },
         Triple("up to 30 ms late", 0.0) { RandomFaults(late = 1e-3, latestNanos = 30_000_000, seed = it) },
-        // 500 ms have no room for three tries
+        // 500 ms are too short for three tries
         Triple("up to 400 ms late", 0.1) { RandomFaults(late = 1e-3, latestNanos = 400_000_000, seed = it) },
     )) {
         test("with one byte in 1000 $words no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {

@@ -65,7 +65,7 @@ class LinkFreshnessSpec : FunSpec({
             bench.link.request(REQUEST, 500).text()
             val before = bench.millis
             bench.link.request(REQUEST, 500).text()
-            bench.millis - before shouldBeLessThan 52.1 + 45.0 // the gap before a frame to a board of which few answers are known
+            bench.millis - before shouldBeLessThan 52.1 + 45.0 // the gap is longer while few answers are known
         }
     }
 
@@ -93,7 +93,7 @@ class LinkFreshnessSpec : FunSpec({
     test("a board that never answered a request but speaks by itself is not taken to be busy answering") {
         val board = VirtualBoard().apply { silent = true }
         VirtualBench(LinkSettings.defaults(), board).use { bench ->
-            bench.link.sendAndAwait("a", 500) // asks the board whether it has started, and gets no answer
+            bench.link.sendAndAwait("a", 500) // asks whether the board has started, and gets no answer
             (1..20).forEach { board.say(bench.millis + it * 40, "tick($it);") }
             repeat(5) {
                 bench.link.listen(500).text()
@@ -140,7 +140,7 @@ class LinkFreshnessSpec : FunSpec({
             age(late) shouldBeGreaterThan 49.0
             board.say(bench.millis + 10, "bump;")
             bench.awayFor(100)
-            age(bench.link.listen(500)) shouldBeLessThan 1.0 // it was read only now
+            age(bench.link.listen(500)) shouldBeLessThan 1.0
         }
     }
 })

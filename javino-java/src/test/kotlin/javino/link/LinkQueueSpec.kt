@@ -28,7 +28,7 @@ private const val LIMIT_MS = 20_000
 private val boards = AtomicInteger()
 private val URGENT = SendOptions(true, 0)
 
-/** The one queue of a line: commands that are submitted and written by a thread of their own. */
+/** Tests the queue of a line, whose commands a separate thread writes. */
 class LinkQueueSpec : FunSpec({
     fun robot(name: String, protocol: Protocol, work: suspend (FakeBoard, Link) -> Unit) =
         test("$name: $protocol").config(timeout = 60.seconds, blockingTest = true) {
@@ -36,7 +36,7 @@ class LinkQueueSpec : FunSpec({
                 val settings = Bench.FAST.withBootMillis(0).withProtocol(protocol)
                 val line = Transports.open(board.port(), settings.line())
                 val slow = object : Transport by line {
-                    override fun isWritableNow(unread: Long) = false // all commands wait for the thread that writes
+                    override fun isWritableNow(unread: Long) = false // commands wait for the writing thread
                 }
                 Link.over(slow, settings, LineClock.system()).use { work(board, it) }
             }
@@ -115,7 +115,7 @@ class LinkQueueSpec : FunSpec({
 
     robot("a request gives way to the commands before it, but not for ever", Protocol.V1) { board, link ->
         board.whenAsked("getPercepts").answer("dist(f,1);")
-        val stuck = link.send("a", SendOptions.defaults()) // nobody writes it
+        val stuck = link.send("a", SendOptions.defaults()) // no thread writes it
         val start = System.nanoTime()
         link.request({ "getPercepts" }, LIMIT_MS, 40).text() shouldBe "dist(f,1);"
         System.nanoTime() - start shouldBeGreaterThan TimeUnit.MILLISECONDS.toNanos(80)

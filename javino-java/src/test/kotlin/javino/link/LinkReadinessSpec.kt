@@ -11,7 +11,7 @@ import javino.PortTimeoutException
 
 private const val REQUEST = "getPercepts"
 
-/** Milliseconds that a request and a short answer take at 9600 baud, and a bit. */
+/** Milliseconds for a request and a short answer at 9600 baud, with a reserve. */
 private const val EXCHANGE = 17.7 + 9.0
 
 class LinkReadinessSpec : FunSpec({
@@ -51,7 +51,7 @@ class LinkReadinessSpec : FunSpec({
             board.received.last().second.shouldBeBetween(3_000.0, 3_300.0, 0.0)
             val before = bench.millis
             bench.link.sendAndAwait("ledOff", 500)
-            bench.millis - before shouldBeLessThan 52.1 + 45.0 // the gap before a frame to a board without answers
+            bench.millis - before shouldBeLessThan 52.1 + 45.0 // the gap is longer while no answers are known
         }
     }
 

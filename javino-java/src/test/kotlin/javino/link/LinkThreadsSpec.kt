@@ -35,7 +35,7 @@ import kotlin.time.Duration.Companion.seconds
 private const val LONG_MILLIS = 20_000
 private val boards = AtomicInteger()
 
-/** A line to a board that answers at once; commands to it may be lost, and answers to requests held back. */
+/** A line to a board that answers at once. The test can drop commands to the board and hold answers back. */
 private class LossyLine : Transport {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
@@ -49,21 +49,19 @@ private class LossyLine : Transport {
     private var isWaiting = false
     private var isClosed = false
 
-    /** From now on commands are lost, and answers wait for [release]. */
+    /** If true, drops commands and holds answers until [release]. */
     @Volatile
     var holdsAnswers = false
 
-    /** The longest time, in ms, that the read under way waits; null: nobody reads. */
+    /** The time limit of the present read in ms, or null if nobody reads. */
     val limit: Int? get() = lock.withLock { limits.lastOrNull().takeIf { isWaiting } }
 
-    /** The number of writes. */
     @Volatile
     var writes = 0
         private set
 
     private fun isLost(frame: WireFrame) = holdsAnswers && frame.kind() == FrameKind.COMMANDS
 
-    /** Lets the held answers arrive. */
     fun release() = lock.withLock {
         arrived += held
         held.clear()
@@ -108,8 +106,8 @@ private class LossyLine : Transport {
 }
 
 /**
- * Several threads on one link to a version 2 board: those that wait for acknowledgements and those that wait for answers read for each
- * other.
+ * Several threads on one link to a version 2 board. Threads that wait for acknowledgements and threads that wait for answers read for
+ * each other.
  */
 class LinkThreadsSpec : FunSpec({
     fun robot(name: String, work: suspend (FakeBoard, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
@@ -158,12 +156,12 @@ class LinkThreadsSpec : FunSpec({
         val settings = LinkSettings.defaults().withProtocol(Protocol.V2).withPaced(false).withBootMillis(0)
         Link.over(line, settings, LineTime()).use { link -> // each wait ends with a signal or never
             link.request("getPercepts", LONG_MILLIS)
-            link.sendAndAwait("on", LONG_MILLIS) // behind it the board describes itself
+            link.sendAndAwait("on", LONG_MILLIS) // afterwards the board describes itself
             work(line, link)
         }
     }
 
-    /** The longest time, in ms, that the thread that reads now does so. */
+    /** The time limit of the present read in ms. */
     suspend fun LossyLine.readsFor(): Int = eventually(20.seconds) { checkNotNull(limit) { "nobody reads" } }
 
     lossy("who reads looks in time after a frame that was lost, though the thread that would have done so goes") { line, link ->
@@ -190,9 +188,9 @@ class LinkThreadsSpec : FunSpec({
                     Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
                         val writer = async { runCatching { link.writeCommandsUntilClosed() } }
                         val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()
-                        val mayClose = CountDownLatch(1 + it % 20) // while others are being sent
+                        val mayClose = CountDownLatch(1 + it % 20) // closes while other commands are sent
                         val sender = async {
-                            while (link.isOpen && outcomes.size < 500) { // or they would be ever more before it is closed on a busy machine
+                            while (link.isOpen && outcomes.size < 500) { // on a busy machine the number would grow without end
                                 outcomes += link.send("front", SendOptions.defaults())
                                 mayClose.countDown()
                             }
@@ -224,7 +222,7 @@ class LinkThreadsSpec : FunSpec({
 
     robot("an interrupted sender throws, and the link stays usable") { board, link ->
         link.request("getPercepts", LONG_MILLIS)
-        board.whenAsked("walk").after(3_000) // the sender must be interrupted before
+        board.whenAsked("walk").after(3_000) // longer than the time until the interrupt
         val failure = CompletableFuture<Throwable?>()
         val sender = thread(isDaemon = true) { failure.complete(runCatching { link.sendAndAwait("walk", LONG_MILLIS) }.exceptionOrNull()) }
         eventually(20.seconds) { board.received() shouldContain "walk" }

@@ -38,7 +38,7 @@ private const val REQUEST = "getPercepts"
 
 private fun bench(board: LineEnd, settings: LinkSettings = LinkSettings.defaults()) = VirtualBench(settings, board, Protocol.AUTO)
 
-/** A board of those in the field: it forgets a frame that a stray f precedes, or that is not whole 300 ms after its first byte. */
+/** A version 1 board that forgets a frame after a stray f. It also forgets a frame that is incomplete 300 ms after its first byte. */
 private class FieldBoard(private val startsAt: Double = 0.0) : LineEnd {
     val received = mutableListOf<String>()
     private var bytes = ""
@@ -68,7 +68,7 @@ private class FieldBoard(private val startsAt: Double = 0.0) : LineEnd {
     }
 }
 
-/** A board with a receive buffer and a loop of its own, that says when it is ready. */
+/** A board with a receive buffer and a slow loop. It announces when it is ready. */
 private class BusyBoard(val model: FieldBoardModel) : LineEnd {
     private var ready = false
     private var unsent = ArrayDeque<Byte>()
@@ -86,7 +86,7 @@ private class BusyBoard(val model: FieldBoardModel) : LineEnd {
     }
 }
 
-/** A WELCOME of a board from before there were revisions. */
+/** A WELCOME without a revision, as in an older draft. */
 private fun olderDraft(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().take(4))
 
 private fun newerRevision(welcome: WireFrame) =
@@ -552,7 +552,7 @@ class LinkVersionSpec : FunSpec({
         fun line(number: Int) = LineEnd { end, now -> boards[if (areExchanged) 1 - number else number].look(end, now) }
         val benches = List(2) { VirtualBench(LinkSettings.defaults().withBootMillis(0), line(it), Protocol.AUTO) }
         benches.forEach { it.link.request(REQUEST, 500) }
-        boards[0].restart() // so that the sessions differ, which begin with the same nonce at the same time
+        boards[0].restart() // otherwise both sessions would have one nonce
         benches[0].link.request(REQUEST, 500)
         benches.forEachIndexed { i, bench -> bench.link.sendAndAwait("first($i)", 500) }
         areExchanged = true

@@ -40,7 +40,7 @@ private fun unpaced(protocol: Protocol) =
 
 private val COMMAND = "say(" + "x".repeat(200) + ")"
 
-/** The computer's end of a line, which notes how many bytes each thread has written, and with which time limits. */
+/** The computer's end of a line. Records the bytes and time limits of each thread's writes. */
 private class NotedWrites(private val line: Transport) : Transport by line {
     val bytes = ConcurrentHashMap<Thread, Long>()
     val limits = ConcurrentHashMap<Thread, Set<Int>>()
@@ -54,7 +54,7 @@ private class NotedWrites(private val line: Transport) : Transport by line {
     }
 }
 
-/** A far end that answers as a board until it is [deaf]; from then on it reads nothing, and sends unrequested messages all the time. */
+/** A far end that answers as a board until it is [deaf]. Then it reads nothing and constantly sends unasked messages. */
 private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCloseable {
     private val session = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce -> say(frame.toBytes(nonce)) }
     private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::nonce, session::receive)
@@ -74,7 +74,7 @@ private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCl
 
     private fun talk() {
         if (session.isOpen) session.sendPercepts("dist(front,1);") else say(percepts)
-        TimeUnit.MILLISECONDS.sleep(1) // as a board does that speaks a thousand times a second
+        TimeUnit.MILLISECONDS.sleep(1) // a thousand messages a second
     }
 
     private fun say(bytes: ByteArray) = end.write(bytes, 0, bytes.size, 60_000)
@@ -93,7 +93,7 @@ private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCl
     }
 }
 
-/** A thread that sends a command waits for no line, whatever the far end does. */
+/** A thread that sends a command never waits for the line. */
 class LinkWaitsForNothingSpec : FunSpec({
     fun deaf(name: String, mostAtOnce: Long, available: Enabled = Enabled.enabled, open: () -> Line) {
         for (protocol in listOf(Protocol.V1, Protocol.V2)) {
@@ -126,7 +126,7 @@ class LinkWaitsForNothingSpec : FunSpec({
                             (computer.bytes[thread] ?: 0) shouldBeLessThanOrEqual mostAtOnce
                             (computer.limits[thread].orEmpty() - 0).shouldBeEmpty()
                             val trouble = sent.mapNotNull { runCatching { it.get(LIMIT_S, TimeUnit.SECONDS) }.exceptionOrNull() }
-                            trouble.size shouldBeGreaterThan COMMANDS / 2 // the others went into the driver, or were carried out before
+                            trouble.size shouldBeGreaterThan COMMANDS / 2 // the others were carried out, or the driver had them
                             trouble.map { (it as ExecutionException).cause }
                                 .filterNot { it is CommandWithdrawnException || it is ActionUnconfirmedException }.shouldBeEmpty()
                             println("measured: $name, $protocol: ${computer.bytes[thread] ?: 0} bytes written by who sends, " +

@@ -13,7 +13,7 @@ private const val GAP = 50 * MILLI + 2 * BYTE_9600 // until answers have been ti
 
 private fun pacer(settings: LinkSettings = LinkSettings.defaults()) = Pacer(settings, 0)
 
-/** A pacer that has timed [delays], of answers to requests without actions in between, and the time by then. */
+/** A pacer after answers with [delays] and no actions, and the present time. */
 private fun timed(settings: LinkSettings, delays: List<Long>): Pair<Pacer, Long> {
     val pacer = pacer(settings)
     var now = 0L
@@ -26,7 +26,7 @@ private fun timed(settings: LinkSettings, delays: List<Long>): Pair<Pacer, Long>
     return pacer to now
 }
 
-/** The gap behind a frame after answers with [delays]. */
+/** The gap after a frame when answers had [delays]. */
 private fun gapAfter(delays: List<Long>, settings: LinkSettings = LinkSettings.defaults()): Long {
     val (pacer, now) = timed(settings, delays)
     val sent = pacer.wroteAction(11, now, now)
@@ -128,7 +128,7 @@ class PacerSpec : FunSpec({
 
     test("an answer says nothing of an action that was written after its request") {
         val pacer = pacer()
-        val late = pacer.wroteRequest(17, 0, 0) + 60 * MILLI // a slow board, which is taken to be silent
+        val late = pacer.wroteRequest(17, 0, 0) + 60 * MILLI // a slow board that counts as silent
         val sent = pacer.wroteAction(11, late, late)
         pacer.answered(late + MILLI)
         pacer.nanosUntilAction(11, late + MILLI) shouldBe sent + GAP - (late + MILLI)

@@ -19,7 +19,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A board that carries everything out. */
+/** A board that carries out every command. */
 private class Recorder : BoardProgram {
     val carriedOut = ConcurrentLinkedQueue<String>()
 
@@ -31,7 +31,7 @@ private class Recorder : BoardProgram {
     override fun percepts(request: String) = "p;"
 }
 
-/** A line to a board that has answered each frame when it is written. A read waits for bytes or the end, without a time limit. */
+/** A line to a board that answers each frame during the write. A read waits for bytes or the end of the line, without a time limit. */
 private class AnsweringLine(program: BoardProgram) : Transport {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
@@ -73,7 +73,7 @@ private class AnsweringLine(program: BoardProgram) : Transport {
     }
 }
 
-/** A session of version 2 that has begun, on a line without pauses; no time passes, so each wait ends with a signal or never. */
+/** A session of version 2 on an unpaced line. No time passes, so each wait ends with a signal or never. */
 private class Session {
     private val settings = LinkSettings.defaults().withProtocol(Protocol.V2).withPaced(false).withBootMillis(0)
     private val time = LineTime()
@@ -88,13 +88,13 @@ private class Session {
 
     init {
         request()
-        commands.sendAndAwait(Frame.of("first"), SendOptions.defaults(), LIMIT_MS) // behind it the vocabulary is asked for
+        commands.sendAndAwait(Frame.of("first"), SendOptions.defaults(), LIMIT_MS) // afterwards the session asks for the vocabulary
         board.carriedOut.clear()
     }
 
     fun submit(text: String): Command = commands.submit(Frame.of(text), SendOptions.defaults())
 
-    /** A command that waits, since the line takes nothing at the moment. */
+    /** A command that waits because the line takes nothing. */
     fun waiting(text: String): Command {
         transport.isWritable = false
         return submit(text).also { transport.isWritable = true }
@@ -104,7 +104,7 @@ private class Session {
 
     fun await(command: Command) = check(line.await(command::isOver, LIMIT_NANOS, false)) { "no outcome" }
 
-    /** Withdraws [command] unless it has begun to go out, and returns whether it has. */
+    /** Withdraws [command]. Returns false if it has begun. */
     fun withdraw(command: Command): Boolean = writer.withdraw(command).also {
         if (it) command.outcome().completeExceptionally(CommandWithdrawnException(transport.name(), "it was withdrawn"))
     }
@@ -113,7 +113,7 @@ private class Session {
 
     fun listen() = line.await({ false }, LIMIT_NANOS, true)
 
-    /** Does the work of a link that is closed. */
+    /** Ends the line like a closed link. */
     fun end() {
         writer.end("it was closed")
         commands.failAll("it was closed")

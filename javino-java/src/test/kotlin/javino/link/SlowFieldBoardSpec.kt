@@ -15,7 +15,7 @@ import javino.virtual.LineEnd
 
 private const val COMMANDS = 100
 
-/** A board that reads, acts and answers once in [loopMillis] as long as it [answers]. */
+/** A board that reads and acts once in [loopMillis]. It answers while [answers] returns true. */
 private class SlowBoard(private val loopMillis: Double, private val answers: (Double) -> Boolean) : LineEnd {
     val commands = mutableListOf<String>()
     private val buffer = ArrayDeque<Byte>()
@@ -38,7 +38,7 @@ private class SlowBoard(private val loopMillis: Double, private val answers: (Do
     }
 }
 
-/** A board of version 1 that does not answer in time. */
+/** Tests a board of version 1 that does not answer in time. */
 class SlowFieldBoardSpec : FunSpec({
     val settings = LinkSettings.defaults().withBootMillis(0).withBaud(115_200)
 

@@ -10,14 +10,14 @@ import javino.Protocol
 import javino.failure
 import javino.sim.FakeBoard
 
-/** Requests that stay without an answer wait so long, which is more than a busy machine halts a test. */
+/** Time limit of unanswered requests, longer than pauses of a busy machine. */
 private const val SILENT_MS = 500
 private const val LIMIT_MS = 20_000
 
 class StrayBytesSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withBootMillis(0)
 
-    /** The error of a link whose board answers requests with these bytes. */
+    /** The error of a link whose board answers requests with [answer]. */
     fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", SILENT_MS) }): String =
         FakeBoard.plugIn("stray").lenient().use { board ->
             board.whenAsked("getPercepts").answerRaw(answer)

@@ -11,11 +11,11 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
 /**
- * A link and a board on one thread, in a time of their own: whenever the link waits, time goes on by a step and the board has a look at its
- * end of the line. Such tests take no time and give the same result on any machine.
+ * A link and a board on one thread, in virtual time. Whenever the link waits, time advances by a step and the board reads its end of the
+ * line. Such tests take almost no time and give one result on any machine.
  *
- * @param protocol the version that the link speaks, whatever the settings say
- * @param name the port's, of its own unless a port is to be opened again
+ * @param protocol the version that the link speaks; overrides the settings
+ * @param name the port's name; unique unless a test opens a port twice
  */
 internal class VirtualBench(
     settings: LinkSettings = LinkSettings.defaults(),
@@ -27,10 +27,10 @@ internal class VirtualBench(
     private val line: MemoryLine = MemoryLine.paced(name, settings.line(), clock)
     val link = Link(line.computer(), settings.withProtocol(protocol), PortOwners.claim(name, "the test"), clock)
 
-    /** The time, in ms since the link was opened. */
+    /** Milliseconds since the link was opened. */
     val millis: Double get() = clock.now / 1e6
 
-    /** Lets time go on without a call on the link. */
+    /** Advances time without a call on the link. */
     fun awayFor(millis: Int) {
         val until = clock.now + millis * 1_000_000L
         while (clock.now < until) clock.step(STEP_NANOS)
@@ -58,13 +58,13 @@ internal class VirtualBench(
 }
 
 /**
- * A board that answers each request with `n;`, n counting them.
+ * A board that answers the n-th request with `n;`.
  *
- * @param startsAt the time in ms until which bytes that come are lost
- * @param answersAfter ms between the last byte of a request and the first of its answer
+ * @param startsAt the time in ms until which arriving bytes are lost
+ * @param answersAfter ms between the last byte of a request and the first byte of its answer
  */
 internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter: Double = 0.0, private val padding: Int = 0) : LineEnd {
-    /** The messages that were received, each with its time in ms. */
+    /** The received messages, each with its time in ms. */
     val received = mutableListOf<Pair<String, Double>>()
     var stopped = false
     var silent = false

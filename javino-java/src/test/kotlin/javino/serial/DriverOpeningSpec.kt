@@ -15,7 +15,7 @@ import kotlin.concurrent.thread
 private const val LIMIT_S = 20L
 private const val BUSY = 16
 
-/** Does [work] while a driver opens a device and does not return. */
+/** Runs [work] while a driver hangs in the opening of another device. */
 private fun DriverOpening.whileAnotherOpens(work: () -> Unit) {
     val begun = CountDownLatch(1)
     val ends = CountDownLatch(1)

@@ -38,7 +38,7 @@ private fun openDescriptors(): Int = Files.list(descriptors).use { it.count().to
 
 private fun liveThreads(): Int = Thread.getAllStackTraces().size
 
-/** The behaviour of serial devices beyond the contract of every transport. */
+/** Behaviour of serial devices beyond the contract of every transport. */
 class SerialLineSpec : FunSpec({
     val settings = LinkSettings.defaults().withBaud(115_200)
 
@@ -79,7 +79,7 @@ class SerialLineSpec : FunSpec({
 
     onTerminals("an interrupt ends a read that waits for the driver to come back") { terminals ->
         SerialTransport.open(terminals.computer, settings.line()).use { line ->
-            line.reading.lock() // as a closing does whose driver hangs
+            line.reading.lock() // a close with a hanging driver holds this lock
             try {
                 val end = CompletableFuture<Boolean>()
                 val reader = thread(isDaemon = true) {
@@ -119,7 +119,7 @@ class SerialLineSpec : FunSpec({
                 val byte = ByteArray(1)
                 end.read(byte, 0, 1, 500) == 1 && byte[0] == round.toByte()
             }
-            arrived shouldBeGreaterThan CLOSINGS - 4 // a machine that is very busy moves bytes later than any closing can wait for
+            arrived shouldBeGreaterThan CLOSINGS - 4 // a busy machine may move bytes after the close has given up
         }
     }
 
@@ -135,7 +135,7 @@ class SerialLineSpec : FunSpec({
                 }
             }
         }
-        cycle() // classes are loaded, the native library is unpacked
+        cycle() // loads classes and the native library
         val threads = liveThreads()
         val open = openDescriptors()
         repeat(50) { cycle() }

@@ -3,18 +3,17 @@ package javino.serial
 import io.kotest.core.test.Enabled
 import javino.sim.PseudoTerminals
 
-/** A pair of pseudo-terminals, by their paths. */
+/** A pair of pseudo-terminals. */
 internal class Terminals private constructor(private val pair: PseudoTerminals) : AutoCloseable {
     val computer: String = pair.computer().path
     val board: String = pair.board().path
 
-    /** Takes both away: for each end that is as if the other were pulled out. */
+    /** Removes both terminals. For each end the other end is gone. */
     fun unplug() = pair.close()
 
     override fun close() = pair.close()
 
     companion object {
-        /** Tells whether pseudo-terminals can be made here. */
         val available: Enabled =
             if (PseudoTerminals.available()) Enabled.enabled
             else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")

@@ -26,7 +26,7 @@ private fun usbDevice(name: String, vendor: Int, product: Int, serialNumber: Str
     SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.of(vendor), OptionalInt.of(product),
         Optional.ofNullable(serialNumber))
 
-/** The devices that a test has plugged in: `plugged:2341:0043`. */
+/** The devices that the test lists, at ports such as `plugged:2341:0043`. */
 class PluggedIn : UsbTransportProvider("plugged", { devices }) {
     companion object {
         val devices = CopyOnWriteArrayList<SerialPortInfo>()

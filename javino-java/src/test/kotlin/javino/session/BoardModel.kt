@@ -9,11 +9,11 @@ import javino.wire.Welcome
 import javino.wire.WireFrame
 
 /**
- * The board's end of version 2 as docs/protocol.md has it, as small as can be: it answers each frame at once.
+ * A minimal model of the board's end of version 2, after docs/protocol.md. It answers each frame at once.
  *
- * @param percepts the answer to a request that has these functors
+ * @param percepts returns the answer to a request with these functors
  * @param actions the vocabulary
- * @param act carries a command out; false: refuses it; null: it takes longer, [finish] ends it
+ * @param act carries a command out; false: refuses it; null: it continues until [finish]
  */
 internal class BoardModel(
     private val actions: List<BoardAction> = emptyList(),
@@ -29,10 +29,10 @@ internal class BoardModel(
     private val writer = PerceptWriter(16)
     private var known = 0
 
-    /** Bytes of a part of an answer. */
+    /** Length of a part of an answer in bytes. */
     var partSize = 253
 
-    /** Forgets the session, as a restart does. */
+    /** Forgets the session. */
     fun restart() {
         nonce = 0
         due = 0
@@ -64,10 +64,10 @@ internal class BoardModel(
         }
     }
 
-    /** Percepts sent unasked. */
+    /** Sends percepts unasked. */
     fun say(text: String): List<WireFrame> = answer(0, text)
 
-    /** Ends a command that takes longer. */
+    /** Ends a command that has continued. */
     fun finish(isDone: Boolean = true): WireFrame {
         isBusy = false
         due = due + 1 and 0xFF

@@ -13,7 +13,7 @@ import java.util.SplittableRandom
 
 private const val COMMANDS = 200
 
-/** One direction: frames arrive in their order, some late, some not at all, some twice. */
+/** One direction of a line. Frames stay in order. Some are late, some are lost, some arrive twice. */
 private class Way(private val random: SplittableRandom, private val loss: Double) {
     private val frames = ArrayDeque<Pair<Long, WireFrame>>()
     private var lastAt = 0L
@@ -31,7 +31,7 @@ private class Way(private val random: SplittableRandom, private val loss: Double
     }
 }
 
-/** A session and a board with a line between them that loses frames, and the outcomes of [COMMANDS] commands. */
+/** A session and a board on a line that loses frames, and the outcomes of [COMMANDS] commands. */
 private class Run(seed: Long, loss: Double, restarts: Double) {
     private val random = SplittableRandom(seed)
     private val there = Way(random.split(), loss)

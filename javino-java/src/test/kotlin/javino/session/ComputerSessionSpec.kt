@@ -88,7 +88,7 @@ class ComputerSessionSpec : FunSpec({
         first.number() shouldBe 0
         first.payload().length shouldBeLessThanOrEqual 32
         texts(first) shouldContainExactly (0..9).map { "c$it" }
-        texts(probe.next()) shouldContainExactly listOf("c10", "c11", "c12", "c13") // as many bytes as the board has credit for
+        texts(probe.next()) shouldContainExactly listOf("c10", "c11", "c12", "c13") // limited by the board's credit
         probe.next().shouldBeNull()
         probe.receive(board.received(first))
         probe.outcomes shouldContainExactly orders.take(10).map { it to CommandOutcome.DONE }
@@ -138,7 +138,7 @@ class ComputerSessionSpec : FunSpec({
         val board = board()
         val probe = opened(board)
         probe.offer("a")
-        probe.next() // is lost
+        probe.next() // lost
         probe.offer("b")
         val second = checkNotNull(probe.next())
         val acknowledgement = board.received(second)
@@ -192,7 +192,7 @@ class ComputerSessionSpec : FunSpec({
         val board = BoardModel { done += it; true }
         val probe = opened(board)
         val orders = probe.offer("late", "on")
-        probe.next() // is lost
+        probe.next() // lost
         orders[0].isGivenUp = true
         val repetition = checkNotNull(probe.after(300).next())
         texts(repetition) shouldContainExactly listOf("-", "on")
@@ -223,7 +223,7 @@ class ComputerSessionSpec : FunSpec({
         val row = checkNotNull(probe.next())
         val acknowledgement = board.received(row)
         val hello = WireFrame.of(FrameKind.HELLO, board.nonce, "")
-        probe.receive(board.received(hello)) // with the number of the command behind these two
+        probe.receive(board.received(hello)) // its number is that of the command after these two
         probe.outcomes.shouldBeEmpty()
         probe.receive(acknowledgement)
         probe.outcomes.map { it.second } shouldContainExactly listOf(CommandOutcome.DONE, CommandOutcome.DONE)
@@ -302,7 +302,7 @@ class ComputerSessionSpec : FunSpec({
         probe.session.request("", probe.now)
         val first = checkNotNull(probe.next())
         first.number() shouldBe 1
-        probe.session.cancelRequest() // its time is over
+        probe.session.cancelRequest()
         probe.receive(board.received(first))
         probe.session.request("(dist)", probe.now)
         probe.receive(board.received(checkNotNull(probe.next())))

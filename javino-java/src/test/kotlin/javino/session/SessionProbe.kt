@@ -13,7 +13,7 @@ internal class Order(private val words: String) : SessionCommand {
     override fun toString() = words
 }
 
-/** A session whose frames and time a test holds. */
+/** A session. The test passes frames and time to it. */
 internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : SessionListener<Order>, WaitingCommands<Order> {
     var now = 0L
     val waiting = ArrayDeque<Order>()
@@ -32,7 +32,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     fun offer(vararg texts: String): List<Order> = texts.map(::Order).also(waiting::addAll)
 
-    /** The next frame, which leaves at once. */
+    /** Returns the next frame and marks it as written now. */
     fun next(): WireFrame? = session.next(now, this)?.also { session.wrote(now) }
 
     fun all(): List<WireFrame> = generateSequence(::next).toList()
@@ -41,7 +41,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     fun receive(frames: List<WireFrame>) = frames.forEach { session.received(it, now) }
 
-    /** Lets the board answer all that is written, until nothing is. */
+    /** Lets the board answer until neither side sends anything. */
     fun exchangeWith(board: BoardModel) {
         for (frame in generateSequence(::next)) receive(board.received(frame))
     }

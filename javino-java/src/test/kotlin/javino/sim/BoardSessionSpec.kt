@@ -12,7 +12,7 @@ import javino.wire.CommandItem
 import javino.wire.FrameKind
 import javino.wire.WireFrame
 
-/** A board whose program takes everything; `later…` it finishes later. */
+/** A board whose program takes every command. Commands that begin with `later` finish later. */
 private class Bench(capacity: BoardSession.Capacity = BoardSession.Capacity.FULL.withRules(2)) : BoardProgram {
     val carried = mutableListOf<String>()
     val sent = mutableListOf<WireFrame>()

@@ -34,7 +34,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
-/** The program of the board that the vectors describe. */
+/** The program of the board in the vectors. */
 private class VectorProgram(
     private val actions: List<BoardAction>,
     private val refused: List<String>,
@@ -77,7 +77,6 @@ private class VectorBoard(board: JsonObject) {
 
     private fun newSession() = BoardSession(program, BoardSession.Capacity(60, 255, 4, 126)) { frame, _ -> sent += frame }
 
-    /** The answer to a message of version 1. */
     private fun handle(message: String): String? {
         session.end()
         if (PerceptsRequest.isIn(message)) return program.percepts(message)
@@ -85,7 +84,7 @@ private class VectorBoard(board: JsonObject) {
         return null
     }
 
-    /** Takes a frame over the line, in the session that the computer has begun, or in that with another [nonce]. */
+    /** Receives a frame in the computer's session, or in the session with [nonce]. */
     private fun receive(frame: WireFrame, nonce: Int?) {
         if (frame.kind() == FrameKind.HELLO) begun = frame.number()
         val bytes = frame.toBytes(nonce ?: begun)
@@ -106,7 +105,7 @@ private class VectorBoard(board: JsonObject) {
     }
 }
 
-/** A frame; of WELCOME only the nonce, since capacities are the board's own. */
+/** A frame for comparison. WELCOME keeps only the nonce, because boards differ in capacity. */
 private fun comparable(frame: WireFrame) =
     if (frame.kind() != FrameKind.WELCOME) vectorOf(frame)
     else "WELCOME ${frame.number()} ${frame.isRefused} ${frame.isBusy} ${Welcome.read(frame.payload()).nonce()}"

@@ -9,7 +9,7 @@ import javino.wire.PerceptDecoder
 import javino.wire.WireDecoder
 import javino.wire.WireFrame
 
-/** A computer of version 2 that a test writes frame by frame, at the near end of a board's line. */
+/** A version 2 computer at the near end of a board's line. The test sends its frames. */
 internal class ComputerEnd(private val line: Transport) {
     private val arrived = ArrayDeque<WireFrame>()
     private val decoder = WireDecoder(true, Long.MAX_VALUE / 2, { NONCE }) { arrived += it }
@@ -21,7 +21,6 @@ internal class ComputerEnd(private val line: Transport) {
     /** Sends a frame of the session that [hello] begins. */
     fun write(kind: FrameKind, number: Int, payload: String) = write(WireFrame.of(kind, number, payload).toBytes(NONCE))
 
-    /** The next frame from the board. */
     fun next(): WireFrame {
         val buffer = ByteArray(1024)
         while (arrived.isEmpty()) {
@@ -43,7 +42,7 @@ internal class ComputerEnd(private val line: Transport) {
         check(exchange(FrameKind.HELLO, NONCE, "").kind() == FrameKind.WELCOME)
     }
 
-    /** Sends a command and returns the frame that acknowledges it. */
+    /** Sends a command and returns its acknowledgement. */
     fun command(text: String) = command(CommandItem.Text(text))
 
     fun command(item: CommandItem) = exchange(FrameKind.COMMANDS_WITH_RESUME, number++, item.payload())
@@ -63,7 +62,7 @@ internal class ComputerEnd(private val line: Transport) {
         return reader.read(parts.joinToString("") { it.payload().drop(2) }, LIMIT).get()
     }
 
-    /** The answer to a request of version 1, which is repeated until there is one: a busy machine may leave too short a pause before it. */
+    /** Asks in version 1 until an answer comes. On a busy machine the pause before a request may be too short. */
     fun askInVersion1(): String {
         val answers = mutableListOf<String>()
         val decoder = FrameDecoder(Long.MAX_VALUE / 2) { answers += it.text() }

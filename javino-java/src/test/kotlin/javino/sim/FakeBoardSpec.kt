@@ -155,7 +155,7 @@ class FakeBoardSpec : FunSpec({
                     for (message in listOf("fffe05ledOn", "fffe04stop")) {
                         computer.write(message.toByteArray(), 0, message.length, LONG_MILLIS)
                     }
-                    computer.read(ByteArray(1), 0, 1, 20) // both have arrived by now
+                    computer.read(ByteArray(1), 0, 1, 20)
                     board.resume()
                     board.awaitMessage("stop", LONG_MILLIS)
                     board.overwritten() shouldContainExactly listOf("ledOn")

@@ -21,7 +21,7 @@ private val FAST = LineSettings(1_000_000)
 
 private fun Transport.writeMessage(bytes: String) = write(bytes.toByteArray(), 0, bytes.length, LIMIT_MILLIS)
 
-/** The work of a test whose program sends one command and has nothing else to wait for. */
+/** A program that sends one command and ends. */
 private fun sendOnce(board: FakeBoard) = Transports.open(board.port(), FAST).use { it.writeMessage("fffe05ledOn") }
 
 class FakeBoardVerdictSpec : FunSpec({

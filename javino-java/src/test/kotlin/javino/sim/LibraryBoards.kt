@@ -7,12 +7,12 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.extension
 import kotlin.io.path.listDirectoryEntries
 
-/** The board's library in C, as a program of `src/test/c/board.c` that plays operations. */
+/** Runs the board's library in C, through the program `src/test/c/board.c`. */
 internal object LibraryBoards {
     private val sources = Path.of("../javino-arduino/src")
     private val program: Path by lazy(::compile)
 
-    /** Tells whether there is a C compiler with the sanitizers. */
+    /** Whether there is a C compiler with the sanitizers. */
     val available: Enabled by lazy {
         val made = Files.createTempDirectory("argo-c")
         val reason = runCatching { cc(made.resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }
@@ -21,7 +21,7 @@ internal object LibraryBoards {
         else Enabled.disabled("needs a C compiler, cc, with its sanitizers, but: ${reason.getOrNull()?.second ?: reason.exceptionOrNull()}")
     }
 
-    /** Its output for each of the [operations]. */
+    /** Returns the program's output for each of the [operations]. */
     fun play(operations: List<String>): List<List<String>> {
         val script = Files.createTempFile("argo-c", ".txt")
         val output = Files.createTempFile("argo-c", ".txt")

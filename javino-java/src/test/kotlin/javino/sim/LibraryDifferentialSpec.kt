@@ -29,7 +29,7 @@ private const val CONVERSATIONS = 3_000
 private const val MS = 1_000_000L
 private val HEX = HexFormat.of()
 
-/** The program of `src/test/c/board.c`. */
+/** The program of `src/test/c/board.c` in Kotlin. */
 private class DriverProgram(private val carried: (String) -> Unit) : BoardProgram {
     var percepts = emptyList<String>()
 
@@ -42,7 +42,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
         return if (command.startsWith("later")) Outcome.LATER else Outcome.DONE
     }
 
-    /** The percepts whose functor stands between a bracket or comma and another: the request may be damaged. */
+    /** Finds functors between a bracket or comma and the next one, because the request may be damaged. */
     override fun percepts(request: String): String {
         val isForAll = request.none { it in "(," }
         fun isWanted(functor: String) = Regex("[(,]${Regex.escape(functor)}[,)]").containsMatchIn(request)
@@ -50,7 +50,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
     }
 }
 
-/** Names a board's frames so that boards can be compared: answers by their text, capacities not at all. */
+/** Names a board's frames for comparison. Names answers by their text, and ignores capacities. */
 private class Observer {
     private val reader = PerceptDecoder()
     private var parts = ""
@@ -73,12 +73,12 @@ private class Observer {
         return session
     }
 
-    /** A part or a whole answer: each board cuts it where it likes. */
+    /** Names an answer or a part. Boards may cut answers at different places. */
     private fun answer(head: String, request: Char, items: String) =
         "PERCEPTS $head ${request.code} ${reader.read(items, LIMIT).orElse("unreadable")}"
 }
 
-/** The board of this package, played as the library is. */
+/** The board of this package, driven by the operations of `src/test/c/board.c`. */
 private class SessionBoard(rules: Int = 0) {
     private val named = mutableListOf<String>()
     private val observer = Observer()
@@ -123,7 +123,7 @@ private class SessionBoard(rules: Int = 0) {
     }
 }
 
-/** The library's output for an operation, named as [SessionBoard.play] does. */
+/** Names the library's output for an operation like [SessionBoard.play]. */
 private class LibraryOutput {
     private val observer = Observer()
     private var nonce = 0 // nonce of the session in the last WELCOME
@@ -154,7 +154,7 @@ private class LibraryOutput {
     }
 }
 
-/** Operations of conversations with a board whose next number is [due], with damage. */
+/** Random operations of conversations, partly damaged. */
 private class Generator(private val random: Random, private val due: () -> Int, private val nonce: () -> Int) {
     private fun <T> one(vararg choices: T): T = choices[random.nextInt(choices.size)]
 
@@ -224,7 +224,7 @@ private class Generator(private val random: Random, private val due: () -> Int, 
     }
 }
 
-/** Operations with a board that holds rules: some are set or removed, the sensors show other percepts, the board looks. */
+/** Random operations with a board that holds rules: set or remove rules, change the sensors, compare them. */
 private class RuleGenerator(private val random: Random) {
     private var number = 0
 
@@ -255,7 +255,7 @@ private class RuleGenerator(private val random: Random) {
     }
 }
 
-/** The board in Java and the board's library in C, in the same conversations. */
+/** Compares the board in Java with the board's library in C in equal conversations. */
 class LibraryDifferentialSpec : FunSpec({
     test("both send the same frames and carry out the same commands, whatever arrives")
         .config(tags = thorough, enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
@@ -293,7 +293,7 @@ class LibraryDifferentialSpec : FunSpec({
                 val generator = RuleGenerator(Random(5))
                 val operations = listOf("b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, NONCE, "").toBytes(NONCE))) +
                     List(cases) { generator.operations() }.flatten()
-                val expected = operations.map { board.play(it).sorted() } // of rules that begin to be met at once any may come first
+                val expected = operations.map { board.play(it).sorted() } // rules that begin to match together have no order
                 val output = LibraryOutput()
                 val found = LibraryBoards.play(listOf("N") + operations).drop(1).map { output.named(it).sorted() }
                 for ((i, operation) in operations.withIndex()) {

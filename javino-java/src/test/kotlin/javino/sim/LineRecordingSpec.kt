@@ -97,7 +97,7 @@ class LineRecordingSpec : FunSpec({
 
 private const val START = -7_000_000_000L
 
-/** [beginning], and then zeros for ever. */
+/** [beginning], followed by endless zeros. */
 private class Endless(private val beginning: String) : Reader() {
     private var at = 0
 

@@ -62,7 +62,7 @@ class ReplayBoardSpec : FunSpec({
     }
 
     test("in turn, the time does not matter") {
-        val unrepeated = LinkSettings.defaults().withProtocol(Protocol.V1) // in version 2 a request is repeated if its answer is late
+        val unrepeated = LinkSettings.defaults().withProtocol(Protocol.V1) // version 2 repeats a request if its answer is late
         plugged(ReplayBoard.of(asked).inTurn(), unrepeated) { link ->
             List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly
                 listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
@@ -128,7 +128,7 @@ private fun plugged(board: ReplayBoard, settings: LinkSettings = LinkSettings.de
     }
 }
 
-/** A clock that stands where it is put; a pause of the board takes its time on the machine's. */
+/** A clock that the test sets. Pauses of the board use the machine's clock. */
 private class HandClock : LineClock {
     val millis = AtomicLong()
 

@@ -21,7 +21,7 @@ import kotlin.concurrent.thread
 
 private const val DEADLINE_S = 120L
 
-/** A board on a fast line, which notes its actions and its output. */
+/** A board on a fast line. Records its actions and its output. */
 private class FastBench(vararg percepts: String, rules: Int = 0, actions: List<String> = emptyList()) : AutoCloseable {
     @Volatile
     var percepts = percepts.toList()
@@ -36,13 +36,11 @@ private class FastBench(vararg percepts: String, rules: Int = 0, actions: List<S
             }
             sketch.run(line.board(), LineClock.system(), rules)
         } catch (_: PortGoneException) {
-            // the bench is cleared
         } catch (_: InterruptedException) {
-            // while it answers
         }
     }
 
-    /** Sends [frames], the bytes of each as text, and returns the next bytes of the answer, as many as [expected] has. */
+    /** Sends [frames] and returns as many bytes of the answer as [expected] has. Each character is a byte. */
     fun answer(expected: String, vararg frames: String): String {
         val bytes = frames.joinToString("").toByteArray(Charsets.ISO_8859_1)
         line.computer().write(bytes, 0, bytes.size, 1000)
@@ -76,11 +74,11 @@ private fun command(number: Int, text: String) = command(number, CommandItem.Tex
 
 private fun command(number: Int, item: CommandItem) = version2(FrameKind.COMMANDS, number, item.payload())
 
-/** Returns the answer to the request number 1 of a computer that knows no texts. */
+/** Returns the answer to request 1 of a computer that knows no shapes. */
 private fun answer(vararg percepts: String): String = AnswerPart.split(1, PerceptWriter(126).items(percepts.toList(), 0))
     .joinToString("") { version2(it.kind(), 0, it.payload()) }
 
-/** The board of a sketch, byte by byte. */
+/** Tests the bytes of a sketch's board. */
 class SketchOnLineSpec : FunSpec({
     test("it answers in the version it is asked in") {
         FastBench("dist(f,9)").use { bench ->

@@ -20,7 +20,7 @@ import javino.logged
 private const val LIMIT_MS = 20_000
 private val SETTINGS = LinkSettings.defaults().withBaud(1_000_000).withBootMillis(0)
 
-/** Shows the percepts that it was given, and keeps the commands that it knows. */
+/** Returns the given percepts, and records the commands that it knows. */
 private class Wall(private val shown: () -> List<String>) : Sketch {
     val commands = ArrayList<String>()
 
@@ -99,7 +99,7 @@ class SketchSpec : FunSpec({
         val all = many.joinToString("") { "$it;" }
         plugged(Wall { many }, Protocol.V2) { it.request("getPercepts", LIMIT_MS).text() shouldBe all }
         val messages = ArrayList<String>()
-        pluggedWithoutLink(Wall { many }) { line -> // a link takes only the newest of several messages that have come
+        pluggedWithoutLink(Wall { many }) { line -> // a link takes only the newest of several messages
             val request = Frame.of("getPercepts").toBytes()
             line.write(request, 0, request.size, LIMIT_MS)
             val decoder = FrameDecoder(Long.MAX_VALUE) { messages += it.text() }

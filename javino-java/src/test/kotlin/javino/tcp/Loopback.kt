@@ -7,21 +7,21 @@ import java.net.InetSocketAddress
 import java.net.ServerSocket
 import java.net.Socket
 
-/** A program that listens on this machine's loopback address, as a board on a network does. */
+/** A TCP server on the loopback address, in place of a board on a network. */
 internal class Loopback : AutoCloseable {
     private val server = ServerSocket().apply {
-        receiveBufferSize = 4096 // so that the sender soon notices a far end that does not read
+        receiveBufferSize = 4096 // the sender soon notices that the far end does not read
         bind(InetSocketAddress(InetAddress.getLoopbackAddress(), 0))
     }
     val number: Int = server.localPort
     val port: String = "tcp://127.0.0.1:$number"
 
-    /** The next connection; with [breaks] its end does not close it but breaks it. */
+    /** Accepts the next connection. If [breaks], closing this end resets the connection. */
     fun accept(breaks: Boolean = false): Socket = server.accept().apply {
         if (breaks) setSoLinger(true, 0)
     }
 
-    /** The far end's transport of the next connection; as [accept]. */
+    /** Returns the far end's transport for the next connection; see [accept]. */
     fun accepted(line: LineSettings = LineSettings.defaults(), breaks: Boolean = false): Transport =
         TcpTransport(accept(breaks), "the board's end", line)
 

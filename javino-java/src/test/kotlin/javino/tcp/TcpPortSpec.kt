@@ -78,7 +78,7 @@ class TcpPortSpec : FunSpec({
     }
 
     test("a host that does not exist is named") {
-        val host = "r".repeat(64) + ".invalid" // longer than a name may be, so nobody is asked
+        val host = "r".repeat(64) + ".invalid" // too long for a host name, so no server is asked
         refusal("tcp://$host:4000") shouldContain "no host $host"
     }
 
@@ -116,12 +116,12 @@ class TcpPortSpec : FunSpec({
         val stillInterrupted = CompletableFuture<Boolean>()
         thread(isDaemon = true) {
             Thread.currentThread().interrupt()
-            // an address that is set aside for documentation: nobody answers there
+            // an address reserved for documentation, at which nobody answers
             outcome.complete(runCatching { Transports.open("tcp://192.0.2.1:4000", line).close() }.exceptionOrNull())
             stillInterrupted.complete(Thread.currentThread().isInterrupted)
         }
         val trouble = outcome.get(20, TimeUnit.SECONDS)
-        // without a network it is refused before
+        // without a network the system refuses earlier
         check(trouble is PortInterruptedException || trouble is NoSuchPortException) { "$trouble" }
         stillInterrupted.get(20, TimeUnit.SECONDS) shouldBe true
     }

@@ -15,8 +15,8 @@ import java.util.HexFormat
 import kotlin.io.path.writeText
 
 /**
- * A certificate that its own key has signed, valid for [days] days from [startDays] days after now on. It is made here, since a process of
- * `keytool` for each takes a busy machine longer than all tests with them.
+ * A self-signed certificate, valid for [days] days. The validity begins [startDays] days from now. It is made in this process, because a
+ * process of `keytool` takes a busy machine too long.
  */
 internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 30, algorithm: String = "EC") {
     private val keys = KeyPairGenerator.getInstance(algorithm).apply { initialize(if (algorithm == "EC") 256 else 2048) }.generateKeyPair()
@@ -41,7 +41,7 @@ internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 
         setKeyEntry("own", keys.private, PASSWORD, arrayOf(certificate))
     }
 
-    /** Writes the certificate and, if there is a place for it, the key. */
+    /** Writes the certificate, and the key if [key] is given. */
     fun write(crt: Path, key: Path? = null) {
         crt.writeText(TlsFolder.pem("CERTIFICATE", certificate.encoded))
         key?.writeText(TlsFolder.pem("PRIVATE KEY", keys.private.encoded))

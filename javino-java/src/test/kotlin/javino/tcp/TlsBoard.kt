@@ -14,7 +14,10 @@ import javax.net.ssl.SSLSocket
 import javax.net.ssl.TrustManagerFactory
 import kotlin.concurrent.thread
 
-/** A board on the loopback address that speaks TLS with the certificate [own], and asks for that of [computer] if there is one. */
+/**
+ * A board on the loopback address that speaks TLS with the certificate [own]. If [computer] is given, asks for the computer's
+ * certificate.
+ */
 internal class TlsBoard(own: TestCertificate, private val computer: TestCertificate? = null) : AutoCloseable {
     private val server = ServerSocket(0, 5, InetAddress.getLoopbackAddress()).apply { receiveBufferSize = 4096 }
     private val context = SSLContext.getInstance("TLS").apply {
@@ -29,7 +32,11 @@ internal class TlsBoard(own: TestCertificate, private val computer: TestCertific
     val number: Int = server.localPort
     val port: String = "tls://127.0.0.1:$number"
 
-    /** Accepts the next connection, on a thread of its own; [between] stands between the line and TLS. */
+    /**
+     * Accepts the next connection on its own thread.
+     *
+     * @param between wraps the TCP socket under TLS
+     */
     fun accept(breaks: Boolean = false, between: (Socket) -> Socket = { it }): CompletableFuture<TlsTransport> {
         val accepted = CompletableFuture<TlsTransport>()
         thread(isDaemon = true) {
@@ -49,12 +56,11 @@ internal class TlsBoard(own: TestCertificate, private val computer: TestCertific
     override fun close() = server.close()
 }
 
-/** The far end's transport, within 20 s. */
+/** Returns the far end's transport, within 20 s. */
 internal fun CompletableFuture<TlsTransport>.end(): TlsTransport = get(20, TimeUnit.SECONDS)
 
-/** Sends written bytes one by one with a pause after each, so that no record of TLS arrives at once. */
+/** Sends bytes one by one with a pause after each, so no TLS record arrives at once. */
 internal class DrippingSocket(private val socket: Socket, private val pauseMillis: Long) : Socket() {
-    /** True while it drips. */
     @Volatile
     var drips = false
 

@@ -26,7 +26,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** The board is a part of this program, so the connection waits for it as long as it takes. */
+/** Long, because the board runs in this process and may be slow. */
 private const val LONG_MILLIS = 60_000
 
 private fun open(board: TlsBoard, folder: Path): Transport =
@@ -50,10 +50,10 @@ class TlsPortSpec : FunSpec({
     timeout = 60.seconds.inWholeMilliseconds
     blockingTest = true
 
-    val folder by lazy { tempdir().toPath().resolve("tls") } // not made yet
+    val folder by lazy { tempdir().toPath().resolve("tls") } // does not exist yet
     fun fileOf(board: TlsBoard) = folder.resolve("127.0.0.1_${board.number}.crt")
 
-    beforeTest { folder.toFile().deleteRecursively() } // a board may get the number of an earlier one
+    beforeTest { folder.toFile().deleteRecursively() } // a board may get the port number of an earlier one
 
     fun talks(board: TlsBoard) {
         val far = board.accept()
@@ -114,7 +114,7 @@ class TlsPortSpec : FunSpec({
         TlsBoard(TestCertificate("young", startDays = 5, days = 5)).use { refusal(it) shouldContain "Set the clock that is wrong" }
     }
 
-    /** The reason why the board refuses the computer: it may refuse only when the connection is there. */
+    /** Returns why the board refuses the computer. The board may refuse only after the connection is made. */
     fun refusalByBoard(board: TlsBoard): String {
         board.accept()
         return shouldThrow<PortException> { open(board, folder).use { it.read(ByteArray(1), 0, 1, LONG_MILLIS) } }.message.orEmpty()

@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import java.util.HexFormat
 
-/** Texts of any bytes, those that frames give a meaning more often than others. */
+/** Texts of any bytes. Bytes with a meaning in frames are more frequent. */
 internal fun texts(lengths: IntRange): Arb<String> = Arb.list(
     Arb.choice(Arb.int(0..0xFF), Arb.element(0xA4, 0xA5, 0x04, 0x05, 0x00, 0xFF, 0x66)),
     lengths,
@@ -18,10 +18,10 @@ internal fun bytesOf(text: String): ByteArray = text.toByteArray(Charsets.ISO_88
 
 internal fun textOf(bytes: ByteArray): String = String(bytes, Charsets.ISO_8859_1)
 
-/** The nonce of frames whose session is not given. */
+/** The default nonce of frames in tests. */
 internal const val NONCE = 7
 
-/** A receiver of one direction with a time of its own, in milliseconds. */
+/** A receiver of one direction, with its own clock in milliseconds. */
 internal class Receiver(fromBoard: Boolean, nonce: Int = NONCE) {
     val frames = mutableListOf<WireFrame>()
     val decoder = WireDecoder(fromBoard, TIMEOUT_NANOS, { nonce }, frames::add)
@@ -43,13 +43,13 @@ internal class Receiver(fromBoard: Boolean, nonce: Int = NONCE) {
     }
 }
 
-/** A frame as test vectors write it: CC SS payload, in hexadecimal digits. */
+/** Returns a frame in the notation of test vectors: CC SS payload, in hexadecimal digits. */
 internal fun vectorOf(frame: WireFrame): String {
     val kind = frame.kind().code() or (if (frame.isRefused) WireFrame.REFUSED else 0) or (if (frame.isBusy) WireFrame.BUSY else 0)
     return HexFormat.of().formatHex(byteArrayOf(kind.toByte(), frame.number().toByte()) + bytesOf(frame.payload()))
 }
 
-/** The frame that test vectors write in that form. */
+/** Reads a frame in the notation of [vectorOf]. */
 internal fun frameOf(vector: String): WireFrame {
     val text = textOf(HexFormat.of().parseHex(vector))
     val flags = if (text[0].code >= FrameKind.FROM_BOARD) text[0].code and (WireFrame.REFUSED or WireFrame.BUSY) else 0

@@ -13,7 +13,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.of
 import io.kotest.property.checkAll
 
-/** Percepts that share shapes, with digits of any number and place; some long, some of any bytes. */
+/** Percepts that share shapes, with digits anywhere. Some are long, some have any bytes. */
 private val percepts: Arb<List<String>> = Arb.list(
     Arb.choice(
         Arb.list(Arb.element("dist(", "f", ",", "12", "007", "0", "-", ".", ")", "9999999999", "\"1\""), 0..6)

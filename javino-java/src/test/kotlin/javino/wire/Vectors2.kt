@@ -13,11 +13,10 @@ import java.nio.file.Path
 import java.util.HexFormat
 import kotlin.io.path.readText
 
-/** The test vectors of version 2, which the board's library and the reference pass too. */
+/** The test vectors of version 2. The board's library and the reference must pass them too. */
 internal object Vectors2 {
     private val file = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino2-vectors.json").readText()).jsonObject
 
-    /** The cases of a group, by their names. */
     fun cases(group: String): Map<String, JsonObject> =
         file.getValue(group).jsonArray.map { it.jsonObject }.associateBy { it["name"].text() }
 }
@@ -34,5 +33,5 @@ internal fun JsonElement?.isTrue(): Boolean = this?.jsonPrimitive?.boolean ?: fa
 
 internal fun JsonElement?.isNull(): Boolean = this == null || this is JsonNull
 
-/** Bytes in hexadecimal digits, a character for each. */
+/** Decodes hexadecimal digits to one character a byte. */
 internal fun JsonElement?.octets(): String = textOf(HexFormat.of().parseHex(text()))

@@ -27,7 +27,7 @@ private fun frames(fromBoard: Boolean, lengths: IntRange = 0..WireFrame.MAX_PAYL
 
 private fun bytesOf(frames: List<WireFrame>) = frames.fold(ByteArray(0)) { all, frame -> all + frame.toBytes(NONCE) }
 
-@OptIn(ExperimentalKotest::class) // the seed: one damaged frame in 65,536 has a right checksum
+@OptIn(ExperimentalKotest::class) // for the seed: one damaged frame in 65,536 has a right checksum
 class WireFramePropertySpec : FunSpec({
     for (fromBoard in listOf(false, true)) {
         val from = if (fromBoard) "a board" else "a computer"
@@ -83,7 +83,7 @@ class WireFramePropertySpec : FunSpec({
             repeat(1 + random.nextInt(6)) { bytes[random.nextInt(bytes.size)] = random.nextInt(256).toByte() }
             wrong += Receiver(false).receive(bytes).frames.count { it != sent }
         }
-        wrong shouldBeLessThan 12 // 65,536 checksums: 1.5 expected at most
+        wrong shouldBeLessThan 12 // of 65,536 checksums, at most 1.5 are expected
     }
 
     test("random bytes do no harm, and all frames that were begun are accounted for") {

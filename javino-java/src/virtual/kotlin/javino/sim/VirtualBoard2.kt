@@ -11,12 +11,12 @@ import javino.wire.FrameKind
 import javino.wire.WireFrame
 
 /**
- * A simulated board in virtual time. It answers each request in the request's version. It refuses commands that begin with `bad`, and takes
- * longer for commands that begin with `walk`.
+ * A simulated board in virtual time. It answers each request in the request's version. It refuses commands that begin with `bad`, and
+ * takes longer for commands that begin with `walk`.
  *
  * @param startsAt the time in ms before which arriving bytes are lost
  * @param damage damages bytes on the line, in either direction
- * @param readsVersion1 true: the board answers version 1 too
+ * @param readsVersion1 whether the board also answers version 1
  */
 internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
@@ -25,28 +25,28 @@ internal class VirtualBoard2(
     private val kinds: List<PerceptKind> = emptyList(),
     private val damage: (ByteArray) -> ByteArray = { it },
 ) : EventBoard {
-    /** The handled requests and commands, in their order, each behind its version: `2:getPercepts`. */
+    /** The handled requests and commands in order, each with its version: `2:getPercepts`. */
     val handled = mutableListOf<String>()
 
     /** All frames of version 2 that the board has received. */
     val received = mutableListOf<WireFrame>()
 
-    /** Called with each entry for [handled]; by default adds the entry to it. */
+    /** Called with each handled request or command. By default adds it to [handled]. */
     var onHandled: (String) -> Unit = { handled += it }
 
-    /** Called with each frame that arrives; by default adds the frame to [received]. */
+    /** Called with each arriving frame. By default adds the frame to [received]. */
     var onReceived: (WireFrame) -> Unit = { received += it }
 
-    /** Changes each frame of the board before it goes on the line: can drop or double the frame. */
+    /** Changes each frame of the board before it goes out. Can drop or double the frame. */
     var posting: (WireFrame) -> List<WireFrame> = { listOf(it) }
     var answer: (Int) -> String = { "$it;" }
 
-    /** The time in ms that the board takes for a message. */
+    /** Milliseconds that the board takes for a message. */
     var takes = 0.0
     var walkTakes = 0.0
     var silent = false
 
-    /** True: the board leaves frames unread. */
+    /** If true, the board leaves frames unread. */
     var stopped = false
     private var answers = 0
     private val outgoing = ArrayDeque<Pair<Double, ByteArray>>()
@@ -149,5 +149,4 @@ internal class VirtualBoard2(
     }
 }
 
-/** The numbers of the frames of [kind]. */
 internal fun VirtualBoard2.count(kind: FrameKind): Int = received.count { it.kind() == kind }

@@ -20,7 +20,7 @@ internal enum class Bounded(val words: String) {
  * A line, a board and the messages between them.
  *
  * @property intervalMs the sensing interval
- * @property percepts number of the board's percepts that are not measured; each holds a number of [digits] digits
+ * @property percepts number of further percepts in an answer; each has a number of [digits] digits
  */
 internal data class BoundsCase(
     val baud: Int, val times: BoardTimes, val intervalMs: Int, val percepts: Int, val digits: Int, val hasRules: Boolean,
@@ -46,21 +46,21 @@ internal data class BoundsCase(
     }
 }
 
-/** The bounds of docs/real-time.md for [course], in ns. They contain no time of the computer. */
+/** The bounds of docs/real-time.md for [course], in ns. The computer's own time is not included. */
 internal class Bounds(private val course: BoundsCase) {
     private val times = course.times
     private val look = if (course.hasRules) times.ruleSensors else 0
     private val loop = times.loop + look
 
-    /** The bytes of the items of an answer: of `news(10);`, of `near(0);` and of the other percepts. */
+    /** Length of the items of an answer: `news(10);`, `near(0);` and the other percepts. */
     private val items: Int = 2 + (course.percepts * (course.digits + 1) + 3 + 2 + 1) / 2
     private val parts = if (course.hasRules && items > PART) (items + PART - 1) / PART else 1
     private val answer = if (parts > 1) items + parts * AROUND_PART else items + AROUND_PART - 1
 
-    /** The time to read the sensors, and to write the bytes beyond the port's buffer. */
+    /** Time to read the sensors, and to write the bytes that exceed the port's buffer. */
     private val sensors = times.sensors + look + if (parts > 1) 0 else bytes(maxOf(0, answer - LoopBoard.BUFFER))
 
-    /** The bytes of the longest frame that the board may be sending. */
+    /** Length of the longest frame that the board may be sending. */
     private val sending = if (parts > 1) PART + AROUND_PART else answer
 
     private fun bytes(count: Int) = count * course.byteNanos
@@ -71,7 +71,7 @@ internal class Bounds(private val course: BoundsCase) {
 
     fun outcome(bytes: Int) = command(bytes) + times.action + bytes(ACKNOWLEDGEMENT)
 
-    /** The bound of an urgent command when [ahead] earlier commands are not acknowledged yet. */
+    /** The bound of an urgent command when [ahead] earlier commands are unacknowledged. */
     fun urgent(bytes: Int, ahead: Int) = bytes(LONGEST_ROW + LoopBoard.CREDIT + bytes) + (ahead + 1) * (loop + times.action) + sensors
 
     fun planFromAnswer(bytes: Int) = maxOf(course.intervalMs * NANOS_PER_MS, answer()) + bytes(GRACE) +
@@ -83,10 +83,10 @@ internal class Bounds(private val course: BoundsCase) {
         reflex() + times.action + bytes(sending + report + REQUEST) + command(bytes) + sensors
 
     companion object {
-        /** The number of bytes around the text of a single command. */
+        /** Number of bytes around the text of a single command. */
         const val AROUND_COMMAND = WireFrame.OVERHEAD + 1
 
-        /** The number of bytes around the text of a report. */
+        /** Number of bytes around the text of a report. */
         const val AROUND_REPORT = WireFrame.OVERHEAD + 2
 
         private const val NANOS_PER_MS = 1_000_000L

@@ -34,16 +34,16 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
     private val link get() = line.link
     private val now get() = line.clock.nanos()
 
-    /** The number of requests that were answered and commands that were carried out. */
+    /** Number of answered requests and carried-out commands. */
     var exchanges = 0
         private set
 
-    /** For each bound, the measurement that came closest to it, or exceeded it most. */
+    /** For each bound, the measurement that came closest to it or exceeded it most. */
     val closest = HashMap<Bounded, Closest>()
 
     init {
         repeat(3) { request() }
-        settle(link.send("stop", URGENT)) // waits also for the vocabulary, for which the computer asks after the command
+        settle(link.send("stop", URGENT)) // also waits for the vocabulary, which the session requests after the command
         if (course.hasRules) {
             link.onBoardEvents(Reports())
             settle(link.sendRule(RULE.setting(1), URGENT))
@@ -51,7 +51,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         rest()
     }
 
-    /** Counts the escape bytes, since the bounds leave these out. */
+    /** Counts the escape bytes, which the bounds leave out. */
     private fun count(bytes: ByteArray): List<Piece> {
         escapes += bytes.count { it == ESCAPE }
         return FAULTLESS.pass(bytes)
@@ -78,7 +78,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         exchanges++
     }
 
-    /** Waits until the line is silent, even if a request gets a second answer. Then waits on, until a random point of the board's loop. */
+    /** Waits until the line is silent. A request may get a second answer. Then waits until a random point of the board's loop. */
     private fun rest() {
         link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
         await(now + random.nextLong(2 * course.times.loop))
@@ -131,7 +131,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         others.forEach(::settle)
     }
 
-    /** Requests percepts at the interval until a percept is new, then sends a command because of that percept. */
+    /** Requests percepts at the interval until a percept is new. Then sends a command because of that percept. */
     private fun plan() {
         rest()
         escapes = 0
@@ -158,7 +158,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         await(nanos)
     }
 
-    /** Lets a rule be met while percepts are requested. The computer sends a command because of the board's report. */
+    /** Makes a rule match while percepts are requested. The computer sends a command because of the board's report. */
     private fun reflex() {
         rest()
         escapes = 0
@@ -188,7 +188,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
             bounds.planFromReport(NEAR.length + Bounds.AROUND_REPORT, text.length + Bounds.AROUND_COMMAND),
         )
         sketch.isNear = false
-        watchUntil(now + 2 * bounds.reflex()) // long enough for the board to see the change
+        watchUntil(now + 2 * bounds.reflex()) // enough time for the board to see the change
     }
 
     private var reported: () -> Unit = {}
@@ -201,7 +201,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
 
     override fun close() = line.close()
 
-    /** Runs the action of [alarm] when its time has come. */
+    /** Runs the action of [alarm] when it is due. */
     private inner class Alarmed(private val board: EventBoard) : EventBoard {
         override val dueMillis: Double get() = minOf(board.dueMillis, alarm?.let { it.first / 1e6 } ?: Double.POSITIVE_INFINITY)
 
@@ -224,14 +224,14 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         var doneAt = 0L
             private set
 
-        /** The number of commands that were under way at [await], or were carried out between [await] and the awaited command. */
+        /** Number of commands under way at [await], plus those carried out between [await] and the awaited command. */
         var before = 0
             private set
         private var awaited: String? = null
-        private val ends = ArrayDeque<Long>() // the times at which the last commands ended
+        private val ends = ArrayDeque<Long>() // times at which the last commands ended
         private val others = List(course.percepts) { i -> "dist(${('a' + i % 26).toString().repeat(1 + i / 26)},%s);" }.joinToString("")
 
-        /** From now on, records when the board carries out [command]. */
+        /** Records when the board carries out [command]. */
         fun await(command: String): String {
             awaited = command
             before = ends.count { it > now }
@@ -263,7 +263,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         const val SLICE_MS = 10L
         const val REFLEX = "stop"
 
-        /** The most commands that are sent but not acknowledged. */
+        /** The most unacknowledged commands. */
         const val MAX_OUT = 16
         const val NEAR = "near(1);"
         const val FAR = "near(0);"
@@ -271,7 +271,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         /** An allowance for the rounding of event times, in ns. */
         const val ROUNDING = 10_000L
 
-        /** The two digits with which percepts show the number [news]. */
+        /** Returns two digits that stand for the number [news] in percepts. */
         fun shown(news: Int) = 10 + news % 90
         val URGENT = SendOptions(true, 0)
         val RULE = BoardRule("near", listOf(BoardRule.Condition(1, BoardRule.Operator.EQUAL, "1")), REFLEX)

@@ -9,7 +9,7 @@ import javino.link.LinkSettings
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
-/** Bytes that arrive together, [lateNanos] later than at the line's rate. */
+/** Bytes that arrive together. They arrive [lateNanos] later than the line's rate requires. */
 internal class Piece(val bytes: ByteArray, val lateNanos: Long = 0)
 
 /** Faults of one direction of a line, for the bytes of one write. */
@@ -22,22 +22,22 @@ internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
 
 /** The far end of a line. */
 internal fun interface LineEnd {
-    /** Does the work that is due at the time [now], in ms since the link was opened. Called again and again. */
+    /** Does the work that is due at [now], in ms since the link was opened. Called repeatedly. */
     fun look(end: Transport, now: Double)
 }
 
 /** A board on an [EventLine]. */
 internal interface EventBoard : LineEnd {
-    /** The next time, in ms, at which the board has work even if nothing arrives; infinite: there is none. */
+    /** The next time, in ms, at which the board has work even if nothing arrives. Infinite if there is none. */
     val dueMillis: Double
 }
 
 /**
  * A paced line, a link and a board on one thread. Virtual time jumps from event to event, so a million exchanges take seconds. Written
- * bytes arrive in one piece, at the time of the last byte, unless faults divide them.
+ * bytes arrive in one piece at the time of the last byte. Faults may divide them.
  *
- * @param open makes the link
- * @param goneAfter number of bytes, in both directions together, after which the line is gone
+ * @param open creates the link
+ * @param goneAfter total number of bytes after which the line is gone
  * @param startMillis time of the clock when the line is opened
  */
 internal class EventLine(
@@ -69,18 +69,18 @@ internal class EventLine(
 
     override fun close() = link.close()
 
-    /** Ends the waiting read, so that its thread, the only one, writes the queued commands. */
+    /** Ends the waiting read. Its thread, the only one, then writes the queued commands. */
     fun wake() {
         isWoken = true
     }
 
-    /** Moves the time on to the next event, at most by [nanos]. */
+    /** Advances the time to the next event, at most by [nanos]. */
     fun pass(nanos: Long) = step(now + nanos)
 
-    /** Moves the time on to the next event, at most to [deadline]. */
+    /** Advances the time to the next event, at most to [deadline]. */
     private fun step(deadline: Long) {
         val due = board.dueMillis.let { if (it.isInfinite()) Long.MAX_VALUE else (it * 1e6).toLong() + 1 }
-        val unread = back.nextAt <= now // bytes have arrived, and nobody reads at the moment
+        val unread = back.nextAt <= now // bytes have arrived, and no read is waiting
         now = maxOf(now, minOf(deadline, there.nextAt, if (unread) deadline else back.nextAt, due))
         if (there.nextAt <= now || due <= now) board.look(boardEnd, millis)
     }

@@ -11,26 +11,25 @@ import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 
 /**
- * The outcome of [exchanges] exchanges with a board of version 2, on a faulty line of 115,200 baud. Four commands and four requests
- * alternate. A request asks for nine percepts, and waits 500 ms for the answer.
+ * Makes [exchanges] exchanges with a board of version 2 on a faulty line of 115,200 baud, and counts the outcomes. Four commands and four
+ * requests alternate. A request asks for nine percepts and waits 500 ms for the answer.
  */
 internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
     private val carriedOut = ByteArray(exchanges / 2 + 1)
     private val confirmed = BooleanArray(exchanges / 2 + 1)
     private var last = 0
 
-    /** The number of requests that were answered. */
     var answered = 0
         private set
 
-    /** The number of frames that the computer dropped because of a wrong checksum. */
+    /** Number of frames that the computer dropped because of a wrong checksum. */
     var corruptFrames = 0L
         private set
 
-    /** The violations, in words: commands that were carried out wrongly or out of order, or confirmed but not carried out. */
+    /** Descriptions of violations: commands that were carried out wrongly or out of order, or confirmed but not carried out. */
     val wrong = mutableListOf<String>()
 
-    /** The answers that the computer accepted although the board did not send them. */
+    /** Answers that the computer accepted although the board did not send them. */
     val corruptBelieved = mutableListOf<String>()
 
     val confirmations: Int get() = confirmed.count { it }
@@ -80,24 +79,23 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
         }
     }
 
-    /** Works on the line until the outcomes are known, since no other thread does. */
+    /** Works on the line until the outcomes are known, because no other thread does. */
     private fun Link.settle(row: List<CompletableFuture<Void>>) {
         while (row.any { !it.isDone }) watch(10)
     }
 
     companion object {
-        /** A line of 115,200 baud, and a board that has started. */
+        /** A line of 115,200 baud, with a board that has started. */
         val FAST: LinkSettings = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
 
-        /** The number of commands, and then of requests, in a row. */
+        /** Number of commands in a row. Also the number of requests in a row. */
         private const val ROW = 4
         private const val LIMIT_MS = 500
         private val COMMAND = Regex("2:speed\\((\\d+)\\)")
 
-        /** The [n]th answer. */
         fun ninePercepts(n: Int): String = "count($n,${n * 31L % 1009});" + "dist(f,$n);".repeat(8)
 
-        /** The number in an answer; 0: it has none. */
+        /** Returns the number in an answer, or 0. */
         fun numberIn(answer: String): Int = answer.substringAfter('(').substringBefore(',').toIntOrNull() ?: 0
     }
 }

@@ -12,7 +12,7 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop time of a round of the sketch's `loop()`, without the times below
+ * @property loop time of one run of the sketch's `loop()`, without the times below
  * @property action time of an action
  * @property sensors time to read the sensors for an answer and to code the answer
  * @property ruleSensors time to read the sensors of the rules and to compare their percepts with the rules
@@ -22,17 +22,16 @@ internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Lo
 
 /** The percepts of a [LoopBoard], and its commands. */
 internal interface TimedSketch {
-    /** The percepts at [nanos], each with a `;` behind it. */
+    /** Returns the percepts at [nanos], each followed by `;`. */
     fun percepts(nanos: Long): String
 
-    /** [command] has been carried out between [fromNanos] and [toNanos]. */
+    /** Called when [command] has been carried out between [fromNanos] and [toNanos]. */
     fun carriedOut(command: String, fromNanos: Long, toNanos: Long)
 }
 
 /**
- * A board of version 2 whose sketch calls the library once in each round of its `loop()`, like the Arduino library. A call handles up to
- * eight messages. It reads the sensors of rules at most every 5 ms. Parts of an answer go out when the line is free. A write waits for room
- * in the port's buffer.
+ * A board of version 2 whose sketch calls the library once in each run of its `loop()`. A call handles up to eight messages. It reads the
+ * sensors of rules at most every 5 ms. Parts of an answer go out when the line is free. A write waits for room in the port's buffer.
  */
 internal class LoopBoard(
     private val times: BoardTimes, private val byteNanos: Long, private val random: Random, private val sketch: TimedSketch,
@@ -45,11 +44,11 @@ internal class LoopBoard(
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
     private var now = 0L // the program's time, ahead of the line's time while the program works
-    private var spent = 0L // time that the program has spent since the time `now`
+    private var spent = 0L // time spent by the program since `now`
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
-    private var messages = 0 // number of messages handled in this call
-    private var isCalled = false // a call has begun and has not returned
+    private var messages = 0 // messages handled in this call
+    private var isCalled = false // whether a call is in progress
 
     private val isRunning get() = arrived.isNotEmpty() || parts.isNotEmpty() || isCalled || session.hasRules()
 
@@ -61,7 +60,7 @@ internal class LoopBoard(
         val time = Math.round(now * NANOS_PER_MS)
         val wasRunning = isRunning
         decoder.accept(buffer, 0, end.read(buffer, 0, buffer.size, 0), time)
-        if (!wasRunning) while (this.now < time) this.now += round() // rounds without work
+        if (!wasRunning) while (this.now < time) this.now += round() // loops without work
         while (isRunning && this.now <= time) step()
         while (outgoing.isNotEmpty() && outgoing.first().first <= time) {
             val frame = outgoing.removeFirst().second
@@ -71,10 +70,10 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Draws a time; often returns the longest, since the longest times test the bounds. */
+    /** Draws a time. Often returns the longest, because the longest times test the bounds. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
-    /** Does one thing: reads the sensors of the rules, handles a message, or ends the call if there is no message. */
+    /** Does one thing: reads the sensors of the rules, handles a message, or ends the call. */
     private fun step() {
         spent = 0
         if (session.hasRules() && now - lookedAt >= LOOK_NANOS) {
@@ -83,7 +82,7 @@ internal class LoopBoard(
             spent += draw(times.ruleSensors)
             session.look(percepts)
             isCalled = true
-            now += spent // after this the program takes bytes that have arrived meanwhile
+            now += spent // then the program takes bytes that have arrived meanwhile
             return
         }
         if (parts.isNotEmpty() && lineFreeAt <= now + spent) post(parts.removeFirst())
@@ -102,7 +101,7 @@ internal class LoopBoard(
         spent = 0
     }
 
-    /** The nonce for new bytes: that of the last HELLO that waits to be handled, else that of the session. */
+    /** Returns the nonce for new bytes: that of the last unhandled HELLO, or else that of the session. */
     private fun nonce() = arrived.lastOrNull { it.kind() == FrameKind.HELLO }?.number() ?: session.nonce()
 
     private fun send(frame: WireFrame, nonce: Int) {
@@ -133,10 +132,10 @@ internal class LoopBoard(
     }
 
     companion object {
-        /** The most bytes of frames that the computer may have sent without an acknowledgement. */
+        /** The most bytes of unacknowledged frames from the computer. */
         const val CREDIT = 60
 
-        /** The number of bytes that the port takes before a write waits. */
+        /** Number of bytes that the port takes before a write waits. */
         const val BUFFER = 64
 
         /** The least time between two readings of the sensors of rules. */

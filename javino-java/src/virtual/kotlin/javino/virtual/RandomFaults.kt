@@ -10,7 +10,7 @@ import kotlin.math.pow
  * @param bitErrors probability that a bit is inverted
  * @param lost probability that a byte does not arrive
  * @param doubled probability that a byte arrives twice
- * @param late probability that a byte arrives up to [latestNanos] later, as do all bytes behind it
+ * @param late probability that a byte and all later bytes are delayed by up to [latestNanos]
  */
 internal class RandomFaults(
     private val bitErrors: Double = 0.0,
@@ -23,7 +23,7 @@ internal class RandomFaults(
     private val random = SplittableRandom(seed)
     private val wrongByte = 1 - (1 - bitErrors).pow(8)
 
-    /** True if the last bytes arrived undamaged, though perhaps late. */
+    /** True if the last bytes arrived undamaged. They may be late. */
     var intact = true
         private set
 
@@ -58,7 +58,7 @@ internal class RandomFaults(
         else -> byteArrayOf(byte, byte)
     }
 
-    /** Draws which bits of a byte are inverted: at least one. */
+    /** Chooses the inverted bits of a byte, at least one. */
     private fun wrongBits(): Int {
         val first = (ln(1 - random.nextDouble() * wrongByte) / ln(1 - bitErrors)).toInt().coerceIn(0, 7)
         return (first + 1..7).fold(1 shl first) { bits, bit -> if (random.nextDouble() < bitErrors) bits or (1 shl bit) else bits }
