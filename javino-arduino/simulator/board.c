@@ -23,12 +23,12 @@ enum {
     UBRR0H = 0xC5
 };
 
-/* How many cycles pass between two checks of the pins: a quarter of a millisecond. */
+/* The cycles between two checks of the pins: a quarter of a millisecond. */
 #define LOOK_CYCLES (BOARD_HZ / 4000)
 
 /*
- * The pins that timers drive. Each row holds the pin, the register and the bit that connect it to its timer, and the register with the
- * duty.
+ * The pins that timers can drive. The fields are: the pin, the register and the bit that connect it to its timer, and the register with
+ * the duty cycle.
  */
 static const struct {
     int pin;
@@ -45,7 +45,7 @@ static const struct {
     char letter;
     uint16_t ddr;
     uint16_t port;
-    int first; /* Arduino's number of bit 0 */
+    int first; /* Arduino's number of the pin at bit 0 */
     int pins;
 } PORTS[] = {{'B', 0x24, 0x25, 8, 6}, {'C', 0x27, 0x28, 14, 6}, {'D', 0x2A, 0x2B, 0, 8}};
 
@@ -111,7 +111,7 @@ static void report(board *b, int pin)
     b->watcher(b->context, pin, state, board_ms(b));
 }
 
-/* Runs a few cycles after a write, since simavr reports a write before the register changes. */
+/* Runs a few cycles after a write, because simavr reports a write before the register changes. */
 static avr_cycle_count_t look(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     int pin;
@@ -151,7 +151,7 @@ static bool has_bit(const board *board, uint16_t address, int pin)
     return board->avr->data[address] >> (pin - PORTS[port_of(pin)].first) & 1;
 }
 
-/* Reads the register of a port's inputs. That register lies directly below the register of the port's directions. */
+/* Reads the register of a port's inputs, whose address is one less than that of the direction register. */
 bool board_level(const board *board, int pin)
 {
     return has_bit(board, (uint16_t)(PORTS[port_of(pin)].ddr - 1), pin);
@@ -163,8 +163,8 @@ bool board_pulls_up(const board *board, int pin)
 }
 
 /*
- * Tells simavr which level the outside puts on each pin of a port. Otherwise simavr resets an input to the level of its pull-up with each
- * write to the port.
+ * Tells simavr the external level of each pin of a port. Otherwise each write to the port makes simavr reset an input to its pull-up
+ * level.
  */
 static void pull_from_outside(board *board, int port)
 {
@@ -186,7 +186,7 @@ void board_set_level(board *board, int pin, bool high)
     avr_raise_irq(board_irq(board, pin), high);
 }
 
-/* A reset clears the registers of inputs, and simavr reports only levels that change. So this function sets the bits of high inputs. */
+/* A reset clears the input registers, and simavr reports only changes of levels. Therefore sets the bits of high inputs again. */
 static void restore_levels(board *board)
 {
     int pin;
@@ -219,7 +219,7 @@ static void drive_inputs(board *b)
         drive_input(b, input);
 }
 
-/* Runs when a conversion begins. Puts the voltage of the selected channel on each analogue input. */
+/* Called when a conversion begins. Puts the voltage of the selected channel on each analogue input. */
 static void conversion(avr_irq_t *irq, uint32_t value, void *context)
 {
     board *b = (board *)context;
@@ -255,7 +255,7 @@ static avr_uart_t *uart(const board *b)
     return (avr_uart_t *)io;
 }
 
-/* A byte takes the time of ten bits, but simavr assumes eleven. So this function corrects simavr's value with every byte. */
+/* A byte takes ten bit times, but simavr assumes eleven. Corrects simavr's value with every byte. */
 static avr_cycle_count_t byte_cycles(const board *b)
 {
     const uint8_t *data = b->avr->data;
@@ -286,8 +286,8 @@ static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
     return b->in_begin != b->in_end && b->in_at[b->in_begin] ? b->in_at[b->in_begin] : when + byte;
 }
 
-/* Bytes for the board wait here while simavr's receiver is full. simavr hands bytes on more slowly than the line brings them, and drops
- * bytes that do not fit its queue. */
+/* Bytes for the board wait here while simavr's receiver is full. simavr takes bytes more slowly than the line brings them, and drops
+ * bytes that exceed its queue. */
 static void receiver_changed(avr_irq_t *irq, uint32_t value, void *context)
 {
     (void)value;
@@ -315,7 +315,7 @@ void board_receive(board *board, uint8_t byte)
     put(board, byte, 0, byte_cycles(board));
 }
 
-/* simavr hands over a byte one byte time after it has received the byte. */
+/* simavr delivers a byte one byte time after it has received the byte. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle)
 {
     uint64_t now = board->avr->cycle;
@@ -444,7 +444,7 @@ static bool run(board *b, uint64_t cycle)
     return true;
 }
 
-/* The loop checks the pins every LOOK_CYCLES, since simavr does not report a write to a timer's compare register. */
+/* Checks the pins every LOOK_CYCLES, because simavr does not report writes to a timer's compare register. */
 bool board_run(board *board, uint64_t cycle)
 {
     int pin;

@@ -20,46 +20,46 @@ typedef struct {
 
 typedef struct board board;
 
-/** Called when a watched pin changes. The time is simulated time since power-on, in milliseconds. */
+/** Called when a watched pin changes. `ms` is simulated time since power-on in milliseconds. */
 typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 
-/** Called with each byte that the board sends, when the byte's last bit has left. */
+/** Called with each byte from the board, after the byte's last bit. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called when the board begins to send a byte. `cycle` is the cycle at which the byte's last bit will have left. */
+/** Called when the board begins to send a byte. `cycle` is the cycle after the byte's last bit. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
-/** The board. All members but avr are private. */
+/** The board. Only avr is public. */
 struct board {
     avr_t *avr;
     void *context;
     pin_watcher watcher;
     byte_sink sink;
-    byte_forecast forecast; /* if not null, called in place of sink */
+    byte_forecast forecast; /* if set, called in place of sink */
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
-    bool converted[BOARD_ANALOGUE]; /* the sketch has read this input since power-on */
-    uint8_t levels[BOARD_PINS];     /* the level that the outside puts on a pin: 1 low, 2 high; 0: none */
-    int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
+    bool converted[BOARD_ANALOGUE]; /* whether the sketch has read this input since power-on */
+    uint8_t levels[BOARD_PINS];     /* external level of each pin: 1 low, 2 high, 0 none */
+    int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1 for no pin */
     uint8_t in[4096];
-    uint64_t in_at[4096]; /* the cycle at which each byte begins; 0: directly behind the previous byte */
+    uint64_t in_at[4096]; /* cycle at which each byte begins; 0: right after the previous byte */
     unsigned in_begin;
     unsigned in_end;
     bool feeding;
-    bool receiver_full; /* simavr takes no more bytes for now */
+    bool receiver_full; /* whether simavr's receiver is full */
     uint8_t out[4096];
     unsigned out_begin;
     unsigned out_end;
     bool sending;
-    uint64_t out_free; /* the cycle at which the last bit leaves of the byte that forecast got last */
+    uint64_t out_free; /* cycle after the last bit of the last byte */
 };
 
 /**
  * Loads a sketch.
  *
  * @param firmware  an .elf or .hex file
- * @param sink takes the board's bytes; null if board_foretell sets a receiver
+ * @param sink receives the board's bytes; null if board_foretell sets a receiver
  * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
@@ -67,33 +67,33 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
 /** Runs the board up to this cycle, counted from power-on. @return false if the sketch has crashed or ended */
 bool board_run(board *board, uint64_t cycle);
 
-/** Presses the reset button. Simulated time goes on; bytes on the line are lost. */
+/** Presses the reset button. Simulated time continues. Bytes on the line are lost. */
 void board_reset(board *board);
 
-/** @return how many bytes board_receive takes at present */
+/** @return the number of bytes that board_receive can take now */
 unsigned board_room(const board *board);
 
-/** @return the rate of the board's serial line in baud; 0 until the sketch has set a rate */
+/** @return the rate of the board's serial line in baud; 0 if the sketch has not set a rate yet */
 unsigned board_baud(const board *board);
 
-/** Sends a byte to the board. The byte arrives at the rate that the board has set. */
+/** Sends a byte to the board, at the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 
-/** Sends a byte to the board, with its first bit at this cycle: in the future, and not before the cycles of earlier bytes. */
+/** Sends a byte to the board. Its first bit begins at `cycle`, which must be in the future and after all earlier bytes. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
 
-/** From now on hands the board's bytes to this function in place of the sink. */
+/** Passes the board's bytes to this function in place of the sink. */
 void board_foretell(board *board, byte_forecast forecast);
 
-/** @return the number of a pin named 13, A0 or PB5; -1 if no pin has that name */
+/** @return the number of a pin with a name such as 13, A0 or PB5; -1 if there is no such pin */
 int board_pin(const char *name);
 
 pin_state board_state(const board *board, int pin);
 
-/** Watches a pin: reports its state now and with each change. */
+/** Watches a pin: reports its state now and after each change. */
 void board_watch(board *board, int pin);
 
-/** @return simavr's signal for the level of a pin, which the board or the outside drives */
+/** @return simavr's signal for the level of a pin */
 avr_irq_t *board_irq(const board *board, int pin);
 
 /** @return true if an input is high */
@@ -102,13 +102,13 @@ bool board_level(const board *board, int pin);
 /** @return true if an input has its pull-up resistor on */
 bool board_pulls_up(const board *board, int pin);
 
-/** Puts a digital level on a pin from outside. The level overrides the pin's pull-up, and stays over a reset. */
+/** Puts an external digital level on a pin. The level overrides the pin's pull-up, and lasts through a reset. */
 void board_set_level(board *board, int pin, bool high);
 
 /** Puts a voltage on an analogue input, or on a channel of the input's multiplexer. */
 void board_set_millivolts(board *board, int input, int channel, uint16_t millivolts);
 
-/** Puts a multiplexer in front of an analogue input. The select pins choose its channel; the first pin is the lowest bit. */
+/** Puts a multiplexer in front of an analogue input. The select pins choose the channel. The first pin is the lowest bit. */
 void board_multiplex(board *board, int input, const int *select_pins, int count);
 
 /** @return milliseconds of simulated time since power-on */

@@ -18,7 +18,7 @@ static bool fail(const char *what)
     return false;
 }
 
-/* Returns true if the link leads to this pseudo-terminal. */
+/* Returns true if the link points to this pseudo-terminal. */
 static bool leads_to(const char *link, const char *path)
 {
     char target[sizeof((line *)0)->path];
@@ -26,7 +26,7 @@ static bool leads_to(const char *link, const char *path)
     return length == (ssize_t)strlen(path) && memcmp(target, path, (size_t)length) == 0;
 }
 
-/* Makes a link. Replaces a link that a killed simulator has left, if it leads nowhere or to this pseudo-terminal. */
+/* Makes a link. Replaces an old link that points nowhere or to this pseudo-terminal: a killed simulator has left it. */
 static bool make_link(const char *path, const char *link)
 {
     struct stat there;
@@ -78,7 +78,7 @@ bool line_opened(line *line)
                     tcflush(line->slave, TCIFLUSH);
                 opened = true;
             } else if (event->mask & IN_CLOSE && line->users > 0 && --line->users == 0) {
-                rate_forget(line->slave); /* The next program may set no rate of its own. */
+                rate_forget(line->slave); /* The next program may set no rate. */
             }
             at += sizeof *event + event->len;
         }

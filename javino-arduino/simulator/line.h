@@ -8,10 +8,10 @@
 
 /** The board's end of the line. */
 typedef struct {
-    int master;      /**< A descriptor for poll(). It is readable when the far end has written. */
-    int opens;       /**< A descriptor for poll(). It is readable when a program has opened or closed the far end. */
-    int slave;       /* held open to keep the terminal's settings raw */
-    int users;       /* how many programs have the far end open */
+    int master;      /**< A descriptor for poll(). Readable when the far end has written. */
+    int opens;       /**< A descriptor for poll(). Readable when a program has opened or closed the far end. */
+    int slave;       /* kept open, so the terminal stays in raw mode */
+    int users;       /* number of programs that have the far end open */
     char path[64];   /**< The far end's device. */
     const char *link; /* a symbolic link to the device, or null */
 } line;
@@ -19,26 +19,25 @@ typedef struct {
 /**
  * Opens a line.
  *
- * @param link  the path of a symbolic link to the far end, which may replace a stale link; may be null
+ * @param link  path for a symbolic link to the far end, or null. A stale link at this path is replaced
  * @return false, with a message on stderr, if the line cannot be opened
  */
 bool line_open(line *line, const char *link);
 
-/** Notes which programs have opened and closed the far end. @return true if a program has just opened the far end */
+/** Records which programs have opened and closed the far end. @return true if a program has just opened the far end */
 bool line_opened(line *line);
 
 /**
- * Reads the bytes that the far end has written, as the board receives them. If the far end has another rate, the board receives other
- * bytes.
+ * Reads the bytes that the far end has written. If the far end has another rate, the board receives garbled bytes.
  *
- * @param baud  the board's rate; 0 stands for the rate of the far end
+ * @param baud  the board's rate; 0 for the rate of the far end
  * @return the number of bytes, at most size
  */
 size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud);
 
 /**
- * Puts one byte on the line, at the board's rate. As on a wire, the byte is lost if nobody has the far end open or nobody reads. A program
- * that has set another rate gets another byte.
+ * Sends one byte on the line, at the board's rate. The byte is lost if nobody has the far end open or nobody reads. A program with
+ * another rate receives a garbled byte.
  */
 void line_write(line *line, uint8_t byte, unsigned baud);
 

@@ -1,6 +1,6 @@
 /**
- * @file Runs an Arduino sketch on a simulated ATmega328P in real time. A pseudo-terminal stands for the serial line. README.md describes
- * usage and commands.
+ * @file Runs an Arduino sketch on a simulated ATmega328P in real time. A pseudo-terminal replaces the serial line. README.md describes
+ *     usage and commands.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -20,9 +20,9 @@
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
-/* The simulator catches up with delays of at most this length. A longer delay is skipped. */
+/* The simulator catches up with delays up to this length. It skips longer delays. */
 #define LAG_NS 50000000ull
-/* How long the panel waits between two checks of the pins. */
+/* The time between two checks of the pins for the panel. */
 #define PANEL_NS 100000000ull
 
 static const char USAGE[] =
@@ -40,7 +40,7 @@ static const char USAGE[] =
 typedef struct {
     const char *link;
     const char *sketch;
-    int soft_receives; /* -1: there is no second line */
+    int soft_receives; /* -1 if there is no second line */
     int soft_sends;
     unsigned soft_baud;
     bool reset_on_open;
@@ -55,7 +55,7 @@ typedef struct {
     line line;
     line soft_line;
     soft soft;
-    uint64_t offset_ns;   /* the real time of power-on, plus all skipped delays */
+    uint64_t offset_ns;   /* real time of power-on, plus all skipped delays */
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;
@@ -135,7 +135,7 @@ static void soft_byte_sent(void *context, uint8_t byte)
     line_write(&s->soft_line, byte, s->options.soft_baud);
 }
 
-/* Begins the time of the boot loader, in which bytes that arrive are dropped. */
+/* Starts the time of the boot loader. Bytes that arrive in this time are dropped. */
 static void boot(simulator *s)
 {
     if (s->options.boot_cycles)
@@ -157,7 +157,7 @@ static bool booting(simulator *s)
     return false;
 }
 
-/* Lets the sketch run on. Returns false when it has ended. */
+/* Runs the sketch up to the present time. Returns false if the sketch has ended. */
 static bool advance(simulator *s)
 {
     uint64_t now = now_ns();
@@ -190,7 +190,7 @@ static void take_soft_bytes(simulator *s)
         soft_receive(&s->soft, bytes[i]);
 }
 
-/* Takes a byte of a command. Returns true if the byte ends the command. Refuses a command that is too long and makes it empty. */
+/* Takes a byte of a command. Returns true if the byte ends the command. Replaces a command that is too long by an empty one. */
 static bool end_command(simulator *s, char byte)
 {
     if (byte != '\n') {
@@ -207,7 +207,7 @@ static bool end_command(simulator *s, char byte)
     return true;
 }
 
-/* Takes the commands that have come. Returns false if standard input has ended, or a command was quit. */
+/* Takes the commands that have arrived. Returns false after quit, or if standard input has ended. */
 static bool take_commands(simulator *s)
 {
     char bytes[256];
@@ -232,14 +232,14 @@ static void show(simulator *s)
     panel_look(&s->panel);
 }
 
-/* Waits for something to do, at most SLICE_NS. Returns false when the simulator has to end. */
+/* Waits at most SLICE_NS for something to do. Returns false if the simulator must end. */
 static bool wait_for_work(simulator *s, bool *has_input)
 {
     struct pollfd sources[] = {{s->line.master, POLLIN, 0}, {s->line.opens, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0},
                                {-1, POLLIN, 0}, {-1, POLLIN, 0}};
     struct timespec slice = {0, (long)SLICE_NS};
     int ready;
-    /* While the board has no room, bytes wait in the terminal. */
+    /* Bytes wait in the terminal while the board has no room. */
     if (board_room(&s->board) < 256)
         sources[0].fd = -1;
     if (!*has_input)

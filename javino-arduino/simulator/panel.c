@@ -28,7 +28,7 @@ static void name_of(int pin, char *name, size_t size)
         snprintf(name, size, "%d", pin);
 }
 
-/* The lowest voltage for which the converter gives this value. */
+/* Returns the lowest voltage that the converter turns into this value. */
 static int millivolts_of(int value)
 {
     return (value * MILLIVOLTS + STEPS - 1) / STEPS;
@@ -44,7 +44,7 @@ static bool is_digital_input(const panel *p, int pin)
     return p->board->levels[pin] || board_pulls_up(p->board, pin);
 }
 
-/* Writes the state of a pin in words. The text is empty if neither the sketch nor a person uses the pin. */
+/* Writes the state of a pin in words. Writes an empty text if neither the sketch nor a person uses the pin. */
 static void describe(const panel *p, int pin, char *text, size_t size)
 {
     char name[8];
@@ -73,7 +73,7 @@ static size_t width(void)
     return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : USUAL_WIDTH;
 }
 
-/* Draws one line: as many pins as fit, followed by the text that is being typed. */
+/* Draws one line: as many pins as fit, then the typed text. */
 static void draw(panel *p)
 {
     char line[sizeof p->line] = "";
@@ -102,7 +102,7 @@ static void draw(panel *p)
     fflush(stdout);
 }
 
-/* Prints a line above the redrawn line. */
+/* Prints text above the redrawn line. */
 static void announce(panel *p, const char *text)
 {
     printf(p->is_drawn ? "\r\033[K%s\n" : "%s\n", text);
@@ -132,7 +132,7 @@ void panel_look(panel *p)
 
 /* ---- Input ---- */
 
-/* A6 and A7 have numbers behind the pins, since an ATmega328P in its usual case has no such pins. */
+/* A6 and A7 get the numbers after the pins, because an ATmega328P in DIP has no such pins. */
 static int pin_of(const char *name)
 {
     if (strcasecmp(name, "A6") == 0 || strcasecmp(name, "A7") == 0)
@@ -170,7 +170,7 @@ static bool set_number(panel *p, const char *setting, int pin, long number, cons
     return true;
 }
 
-/* Sets an input by a setting such as 7=1. */
+/* Sets an input from a setting such as 7=1. */
 static void set(panel *p, char *setting)
 {
     char whole[64];
@@ -251,7 +251,7 @@ static bool is_capable(void)
     return kind && strcmp(kind, "dumb") != 0;
 }
 
-/* Makes the terminal hand over each key at once without showing it. Ctrl-C is still a signal. */
+/* Lets the terminal deliver each key at once, without showing it. Ctrl-C still sends a signal. */
 static bool take_keys(struct termios *before)
 {
     struct termios keys;

@@ -3,11 +3,11 @@
 #include <asm/termbits.h> /* instead of termios.h, which has only rates with a name */
 #include <sys/ioctl.h>
 
-/* The mark of a terminal whose rate no program has set. Nobody asks for this rate. */
+/* Marks a terminal whose rate no program has set. Programs do not use this rate. */
 #define NO_RATE B50
 #define TOLERANCE_PERCENT 3
 
-/* A byte on the line is a start bit, the data from the lowest bit on, and the idle line. */
+/* A byte on the line is a start bit and the data bits, lowest first. The idle line follows. */
 #define DATA_BITS 8
 
 unsigned rate_of(int terminal)
@@ -36,8 +36,8 @@ uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received)
         return byte;
     for (bit = 0; bit < DATA_BITS; bit++) {
         /*
-         * The receiver counts its bits from the start bit, and samples in the middle of each of them. At that moment the sender is at this
-         * place in its own bits.
+         * The receiver counts bits from the start bit on and samples in the middle of each bit. `place` is the sender's bit at that
+         * moment.
          */
         unsigned long long place = (2 * bit + 3) * (unsigned long long)sent / (2ull * received);
         if (place > DATA_BITS || (place > 0 && byte >> (place - 1) & 1))

@@ -49,7 +49,7 @@ static bool is_high(const soft *s)
     return board_state(s->board, s->sends).kind == PIN_HIGH;
 }
 
-/* Samples in the middle of each bit. If the stop bit is missing, the bits are no byte, since the sketch uses the pin for something else. */
+/* Samples in the middle of each bit. Without a stop bit, the sketch uses the pin for another purpose and the bits are ignored. */
 static avr_cycle_count_t take_bit(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     soft *s = (soft *)context;

@@ -15,9 +15,9 @@ typedef struct {
     uint8_t in[1024]; /* bytes to the board */
     unsigned in_begin;
     unsigned in_end;
-    unsigned bits; /* remaining bits of the byte that goes to the board; the lowest comes next */
+    unsigned bits; /* remaining bits of the byte to the board, lowest first */
     int bits_left;
-    int taken; /* how many bits of the board's byte have come */
+    int taken; /* number of received bits of the board's byte */
     uint8_t byte;
 } soft;
 
@@ -31,10 +31,10 @@ typedef struct {
  */
 void soft_connect(soft *soft, board *board, int receives, int sends, unsigned baud, byte_sink sink, void *context);
 
-/** @return how many bytes soft_receive takes at present */
+/** @return the number of bytes that soft_receive can take now */
 unsigned soft_room(const soft *soft);
 
-/** Sends a byte to the board, behind the bytes sent before. */
+/** Sends a byte to the board, after all earlier bytes. */
 void soft_receive(soft *soft, uint8_t byte);
 
 #endif

@@ -5,12 +5,12 @@
 #include "avr_ioport.h"
 
 #define CYCLES_PER_US (BOARD_HZ / 1000000)
-/* A trigger pulse lasts 10 us or more. A much longer pulse is no trigger. */
+/* A trigger pulse lasts at least 10 us. A much longer pulse is no trigger. */
 #define LEAST_TRIGGER (8 * CYCLES_PER_US)
 #define LONGEST_TRIGGER (200 * CYCLES_PER_US)
-/* The time from the trigger to the echo, in which the sensor sends eight periods of sound. */
+/* The time from the trigger to the echo. The sensor sends eight periods of sound in this time. */
 #define DELAY (450 * CYCLES_PER_US)
-/* The time that sound takes for a centimetre there and back: 58.3 us. */
+/* The time of sound for a centimetre there and back: 58.3 us. */
 #define CYCLES_PER_CM 933u
 #define NOTHING_IN_SIGHT (38000 * CYCLES_PER_US)
 

@@ -4,12 +4,12 @@
 
 #include "board.h"
 
-/** The longest distance that a sensor measures, in centimetres. */
+/** The longest distance of a sensor, in centimetres. */
 #define SONAR_MAX_CM 400
 
 /**
- * The sensors and their distances. A sensor answers each trigger pulse with a pulse on its echo pin. All sensors answer a trigger pulse on
- * any pin, since a sketch with several sensors reads them one by one.
+ * The sensors and their distances. A sensor answers a trigger pulse with a pulse on its echo pin. All sensors answer a trigger pulse on
+ * any pin, because sketches read several sensors one by one.
  */
 typedef struct sonar {
     board *board;
@@ -17,18 +17,18 @@ typedef struct sonar {
         struct sonar *sonar;
         int number;
         bool is_echo;
-        int cm;              /* distance that this echo's sensor measures; 0: nothing in sight */
-        uint64_t high_since; /* the cycle at which a possible trigger pulse began; 0: no pulse */
+        int cm;              /* distance of this echo's sensor; 0: nothing in sight */
+        uint64_t high_since; /* cycle at which a possible trigger pulse began, or 0 */
     } pins[BOARD_PINS];
 } sonar;
 
-/** Connects a board. The board has no sensors yet. */
+/** Connects a board, without sensors. */
 void sonar_connect(sonar *sonar, board *board);
 
 /**
- * Adds a sensor with its echo on this pin, or sets that sensor's distance.
+ * Adds a sensor whose echo is on this pin, or changes the distance of this sensor.
  *
- * @param cm  the measured distance, at most SONAR_MAX_CM; 0 for nothing in sight, which gives a pulse of 38 ms
+ * @param cm  the measured distance, at most SONAR_MAX_CM; 0 for nothing in sight, which causes a pulse of 38 ms
  */
 void sonar_set(sonar *sonar, int pin, int cm);
 

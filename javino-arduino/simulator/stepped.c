@@ -66,7 +66,7 @@ bool stepped_run(const char *sketch)
 {
     static board board;
     static sonar sonar;
-    static char command[16384]; /* holds a send command with as many bytes as the line holds */
+    static char command[16384]; /* large enough for a send command with all bytes that the line holds */
     bool runs = true;
     if (!board_load(&board, sketch, console_pin, NULL, NULL))
         return false;

@@ -1,14 +1,14 @@
-/** @file A board whose time advances only by commands. */
+/** @file A board whose time advances only on command. */
 #ifndef STEPPED_H
 #define STEPPED_H
 
 #include <stdbool.h>
 
 /**
- * Runs a sketch step by step. Commands come on standard input and answers go to standard output; README.md describes both.
+ * Runs a sketch step by step. Reads commands from standard input and prints answers to standard output. README.md describes both.
  *
  * @param sketch  an .elf or .hex file
- * @return false if the sketch has crashed or ended, or cannot be loaded, which stderr reports
+ * @return false if the sketch has crashed or ended, or cannot be loaded. A message is on stderr or standard output
  */
 bool stepped_run(const char *sketch);
 

@@ -1,6 +1,6 @@
 /**
  * @file
- * The library under its own name, for computers on which another library has a Javino.h too.
+ * Includes Javino.h under another name, for computers on which another library also has a Javino.h.
  */
 #ifndef ARGO_JAVINO_H
 #define ARGO_JAVINO_H

@@ -1,6 +1,5 @@
 /**
- * @file
- * The Javino protocol for Arduino: an agent asks this board for percepts and tells it to carry out actions.
+ * @file The Javino protocol for Arduino. An agent requests percepts from the board and sends it actions.
  *
  *     #include <Javino.h>
  *
@@ -24,8 +23,8 @@
 #include "JavinoBoard.h"
 
 /**
- * A board with this many bytes of memory, at least JAVINO_MEMORY_MIN. The memory holds incoming bytes, an answer and the table of actions.
- * A message that does not fit into the rest of the memory is not received.
+ * A board with this many bytes of memory, at least JAVINO_MEMORY_MIN. The memory holds incoming bytes, an answer and the table of
+ * actions. The board cannot receive a message that does not fit into the rest of the memory.
  */
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
@@ -33,14 +32,14 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream without a rate, which the sketch
-   * opens, such as a WiFiClient or a BluetoothSerial.
+   * A board on a port or on a stream. start() opens a port, such as Serial1 or a SoftwareSerial. The sketch opens a stream without a
+   * rate, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /** Opens the board's port, unless the sketch has to open it. The far end must use the same rate, in baud. */
+  /** Opens the board's port. Does not open a stream without a rate. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
-    /* Named directly, so that for a constant rate the compiler computes the port's settings. */
+    /* Calls Serial directly: for a constant rate, the compiler then computes the port's settings. */
     if (open_)
       open_(stream_, baud);
     else
@@ -48,13 +47,13 @@ public:
     setTimeLimit(JAVINO_TIMEOUT_MS(baud));
   }
 
-  /** The same as start(), as other libraries call it. */
+  /** Does the same as start(). Other libraries use this name. */
   void begin(unsigned long baud = 9600) { start(baud); }
 
 private:
   template <typename Port> static void open(Stream &port, unsigned long baud) { open(static_cast<Port &>(port), baud, 0); }
 
-  /* The first open() is used if it compiles, otherwise the second. */
+  /* The compiler uses the first open() if it compiles, otherwise the second. */
   template <typename Port> static auto open(Port &port, unsigned long baud, int) -> decltype(port.begin(baud), void()) { port.begin(baud); }
   template <typename Port> static void open(Port &, unsigned long, long) {}
 
@@ -64,7 +63,7 @@ private:
   alignas(void *) uint8_t memory_[Bytes];
 };
 
-/** A board on Serial, or on another port or stream given to it. */
+/** A board on Serial, or on a given port or stream. */
 class Javino : public JavinoSized<JAVINO_BYTES> {
 public:
   Javino() {}

@@ -1,4 +1,4 @@
-#ifdef ARDUINO /* on other systems, only the core in C is compiled */
+#ifdef ARDUINO /* on other systems, only the core in C is used */
 
 #include "JavinoActions.h"
 
@@ -27,7 +27,7 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->named.arguments = arguments;
   action->function = function;
   action->caller = caller;
-  /* The newest action comes first, so it is found before an older one of the same name and kind. */
+  /* The newest action comes first. The search then finds it before an older action with an equal name. */
   board_->link.actions = action;
   count_ = ++count;
 #ifndef JAVINO_VERSION_1_ONLY
@@ -68,7 +68,7 @@ void JavinoActions::carryOut(const __FlashStringHelper *name) const {
   carryOut(copy);
 }
 
-/** Returns true if a name begins with this text, which may hold any bytes. */
+/** Returns true if the name begins with this text, which may contain any bytes. */
 static bool begins(const char *name, const char *text, uint8_t length) {
   for (; length > 0; length--)
     if (!*name || *name++ != *text++)
@@ -76,7 +76,7 @@ static bool begins(const char *name, const char *text, uint8_t length) {
   return true;
 }
 
-/** Carries an action out, unless the text may be cut and a longer name begins with it. */
+/** Carries an action out. Returns UNCERTAIN if the text may be truncated and a longer name begins with it. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();

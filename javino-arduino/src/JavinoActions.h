@@ -10,22 +10,22 @@
 class JavinoBoard;
 
 /**
- * The actions that a board knows, by name. Actions lie in the board's memory, seven bytes each on AVR. Only a name that is a String takes
- * heap. A name in flash, F("ledOn"), is copied into the board's memory, so register it before anything arrives. Other names are not copied,
- * so they must last.
+ * The actions of a board, by name. Actions are stored in the board's memory, seven bytes each on AVR. Only a name that is a String uses
+ * heap. A name in flash, F("ledOn"), is copied into the board's memory, so register it before anything arrives. Other names are not
+ * copied, so they must stay valid.
  */
 class JavinoActions {
 public:
   /** An action without arguments. */
   typedef void (*Function)();
 
-  /** An action without arguments that gets the board. */
+  /** An action without arguments whose function gets the board. */
   typedef void (*BoardFunction)(JavinoBoard &board);
 
-  /** Any number of arguments. */
+  /** Stands for any number of arguments. */
   static const uint8_t ANY = JAVINO_ANY;
 
-  /** The result of `act["ledOn"]`: a place for one action. The name is a text, a String, or a text in flash. */
+  /** The result of `act["ledOn"]`: a place for one action. The name is a C string, a String, or a text in flash. */
   template <typename Name> class Place {
   public:
     Place(JavinoActions &actions, Name name) : actions_(actions), name_(name) {}
@@ -37,17 +37,17 @@ public:
         actions_.add(name, function);
     }
 
-    /** The same for a function that gets the board. It is a template so that NULL counts as a Function. */
+    /** Registers a function that gets the board. This is a template, so NULL counts as a Function. */
     template <typename = void> void operator=(BoardFunction function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
         actions_.addCalled(name, reinterpret_cast<Function>(function), callWithBoard<void>);
     }
 
-    /** Says in a compile error what to write for any other function. */
+    /** Any other function: a compile error says what to write. */
     template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
 
-    /** Carries the action out, if there is one of this name. */
+    /** Carries out the action with this name, if there is one. */
     void operator()() const { actions_.carryOut(name_); }
 
   private:
@@ -67,7 +67,7 @@ public:
   uint8_t count() const { return count_; }
 
   /**
-   * Returns true if an action has been left out, because the memory was full (JavinoSized can have more), there were JAVINO_ACTIONS_MAX
+   * Returns true if an action was left out. Reasons: the memory was full (JavinoSized can have more), there were JAVINO_ACTIONS_MAX
    * actions, the name was longer than JAVINO_NAME_MAX, or percepts had been written before.
    */
   bool full() const { return board_->link.actions_lost != 0; }
@@ -83,17 +83,17 @@ private:
   struct Action {
     javino_action named;
     Function function;
-    Caller caller; /* null: the function takes neither the board nor arguments, and returns nothing */
+    Caller caller; /* null for a void function without parameters */
   };
 
   enum Outcome : uint8_t {
     DONE,
-    REFUSED,  /* the action's function has refused it */
-    UNKNOWN,  /* there is no such action, or it takes another number of arguments */
-    UNCERTAIN /* the text may be cut, and another action begins with it */
+    REFUSED,  /* the action's function has refused */
+    UNKNOWN,  /* no action has this name and number of arguments */
+    UNCERTAIN /* the text may be truncated, and another action begins with it */
   };
 
-  /** A call of this function does not compile; the error message says what to write. */
+  /** Calling this is a compile error. Its message says what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
@@ -108,7 +108,10 @@ private:
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
   void leaveOut();
 
-  /** Returns the name as a text that lasts: a String's on the heap, a name in flash in the board's memory. Null: the action is left out. */
+  /**
+   * Returns the name as a text that stays valid: on the heap for a String, in the board's memory for a name in flash. Null: the action is
+   * left out.
+   */
   static const char *keep(const char *name) { return name; }
   const char *keep(const String &name);
   const char *keep(const __FlashStringHelper *name);
@@ -124,7 +127,7 @@ private:
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     if (!function)
       return false;
-    reader() = callByFunctor; /* also finds an action by its functor */
+    reader() = callByFunctor; /* also searches by functor */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
@@ -133,12 +136,14 @@ private:
   void carryOut(const __FlashStringHelper *name) const;
 
   /**
-   * Carries out an action. Null while no function takes the board or arguments. `found` is the action whose name is the whole text, or
-   * null. `certain` is true if the text is known to be whole.
+   * Carries out an action. Null while no function takes the board or arguments.
+   *
+   * @param found    the action whose name is the whole text, or null
+   * @param certain  true if the text is known to be complete
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
-  /** The reader of actions that are known. */
+  /** The reader of known actions. */
   Reader &reader() { return described_ ? reader_ : known_; }
 
   static Outcome callFound(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
@@ -169,7 +174,7 @@ private:
   }
   ///@}
 
-  /** Registers the function for unknown actions; null: none. */
+  /** Registers the function for unknown actions, or null for none. */
   template <typename Result> void refuseWith(Result (*function)(JavinoBoard &, const char *)) {
     if (described_)
       known_ = reader_;
@@ -198,19 +203,19 @@ private:
     return REFUSED;
   }
 
-  /** Tells the link the distance between two actions in memory. */
+  /** Tells the link the size of an action in memory. */
   void begin() { board_->link.action_size = sizeof(Action); }
 
-  /** The newest action; older ones lie behind it. */
+  /** The newest action. Older actions follow in memory. */
   const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
 
   javino_board *board_;
-  /* Null until an action needs a reader: other sketches do not link that code. */
+  /* Null until an action needs a reader, so other sketches do not link that code. */
   Reader reader_;
-  Reader known_;     /* The reader of known actions while unknown_ is set; else it is in reader_. */
+  Reader known_;     /* The reader of known actions while unknown_ is set. */
   Function unknown_; /* The function for unknown actions. */
   uint8_t count_;
-  bool described_; /* True: the board describes its actions to computers. */
+  bool described_; /* Whether the board describes its actions to computers. */
 };
 
 #endif

@@ -1,4 +1,4 @@
-#ifdef ARDUINO /* on other systems, only the core in C is compiled */
+#ifdef ARDUINO /* on other systems, only the core in C is used */
 
 #include "JavinoArguments.h"
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-/** Iterates over the characters of an argument, without its quotes and escapes. */
+/** Iterates over the characters of an argument. Skips quotes and escapes. */
 class Characters {
 public:
   Characters(const char *literal, uint8_t length, uint8_t index) : next_(literal) {
@@ -37,12 +37,12 @@ private:
 };
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number as a mantissa, with as many digits as a double holds, and a power of ten. */
+/** A number as a mantissa with the digits of a double, and a power of ten. */
 class Decimal {
 public:
   Decimal() : mantissa_(0), digits_(0), exponent_(0) {}
 
-  /** Appends the digits at the beginning of the text. @return how many there were */
+  /** Appends the digits at the beginning of the text. @return the number of digits */
   uint8_t append(const char **text, const char *end, bool decimals) {
     uint8_t n = 0;
     for (; *text < end && **text >= '0' && **text <= '9'; n++, (*text)++) {
@@ -60,13 +60,13 @@ public:
     exponent_ += static_cast<int16_t>(exponent < -MOST ? -MOST : exponent > MOST ? MOST : exponent);
   }
 
-  /** Returns true if the number is within the range of a double, or too small for it. */
+  /** Returns true if the number is in the range of a double, or too small for it. */
   bool fits() const { return mantissa_ == 0 || digits_ + exponent_ <= DBL_MAX_10_EXP; }
 
-  /** Returns the value of a number that fits; 0: the number is too small. */
+  /** Returns the value of a number that fits. Returns 0 for a number that is too small. */
   double value() const {
     double power = 1;
-    /* A power that is too large becomes infinity, and a number divided by infinity is 0. */
+    /* A power that is too large becomes infinity. A number divided by infinity is 0. */
     for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
       power *= 10;
     return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;

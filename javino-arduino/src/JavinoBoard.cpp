@@ -1,10 +1,10 @@
-#ifdef ARDUINO /* on other systems, only the core in C is compiled */
+#ifdef ARDUINO /* on other systems, only the core in C is used */
 
 #include "JavinoBoard.h"
 
 #include "javino_literal.h"
 
-/** The most messages that one run() handles, so that a flood of messages cannot stop the rest of loop(). */
+/** The most messages for one run(). A flood of messages then cannot block the rest of loop(). */
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size)
@@ -24,10 +24,10 @@ uint16_t JavinoBoard::receive() {
 
 void JavinoBoard::write(void *board, uint8_t byte) {
   JavinoBoard *self = static_cast<JavinoBoard *>(board);
-  /* Stops at the first byte that the port does not take, since a USB port waits for each such byte. */
+  /* Stops at the first byte that the port does not take. A USB port would wait for each further byte. */
   if (!self->mute_)
     self->mute_ = self->stream_.write(byte) == 0;
-  /* A write may have waited, and the port's receive buffer is short. */
+  /* The write may have waited, and the port's receive buffer is short. */
   self->receive();
 }
 
@@ -137,8 +137,8 @@ void JavinoBoard::handle() {
 }
 
 /**
- * Carries out the action in hand; false: the action has to wait. In version 1 the length may be damaged, so that the text is only the start
- * of a longer action. Such a start is seldom an action, since its brackets are open. If it could be one, the bytes behind it decide.
+ * Carries out the present action. Returns false if the action must wait. In version 1 a damaged length may have truncated the text. A
+ * truncated text seldom names an action, because its brackets are open. If it does name one, the following bytes decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;
@@ -172,7 +172,7 @@ bool JavinoBoard::requestAction(const char *text) const {
 }
 
 bool JavinoBoard::addPercept(const char *text) {
-  const char *functor = *text == '~' ? text + 1 : text; /* Requests name the functor without the ~. */
+  const char *functor = *text == '~' ? text + 1 : text; /* Requests name functors without the ~. */
   if (!javino_board_wants(&board_, functor, javino_word(functor, JAVINO_MAX_PAYLOAD)))
     return true;
   javino_percept_text(&board_, text);
@@ -222,7 +222,7 @@ void JavinoBoard::term(char value) {
   term(text);
 }
 
-/** Writes a number with leading zeros, so that it has at least `least` digits. */
+/** Writes a number with at least `least` digits, with leading zeros. */
 static void putDigits(javino_board *board, uint64_t number, uint8_t least) {
   char digits[20];
   uint8_t n = 0;
@@ -246,7 +246,7 @@ void JavinoBoard::term(const JavinoDecimals &number) {
     parts *= 10;
   bool negative = number.value < 0;
   double magnitude = negative ? -number.value : number.value;
-  if (!(magnitude < 4294967040.0)) { /* not >=, so that NaN comes here too */
+  if (!(magnitude < 4294967040.0)) { /* not >=: NaN must take this branch too */
     term(number.value);
     return;
   }

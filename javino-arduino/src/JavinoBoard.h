@@ -1,4 +1,4 @@
-/** @file A board of the Arduino family: what Javino.h (for serial ports) and JavinoNetwork.h have in common. */
+/** @file A board of the Arduino family: the common part of Javino.h (for serial ports) and JavinoNetwork.h. */
 #ifndef JAVINO_BOARD_CLASS_H
 #define JAVINO_BOARD_CLASS_H
 
@@ -22,25 +22,25 @@
 #define JAVINO_LIBRARY_VERSION 100
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number, and the number of decimals to write: see decimals(). */
+/** A number with a number of decimals, see decimals(). */
 struct JavinoDecimals {
   double value;
   uint8_t digits;
 };
 
-/** A number in a percept with 1 to 9 decimals: `percept("gps", decimals(48.137154, 6))`. On AVR a number has some seven digits in all. */
+/** A number in a percept with 1 to 9 decimals: `percept("gps", decimals(48.137154, 6))`. On AVR a number has about seven digits in all. */
 inline JavinoDecimals decimals(double value, uint8_t digits) {
   JavinoDecimals number = {value, digits};
   return number;
 }
 #endif
 
-/** A text that is written as a string: see quoted(). */
+/** A text that becomes a string, see quoted(). */
 struct JavinoQuoted {
   const char *text;
 };
 
-/** A text in a percept that is written as a string even if it could be an atom: `percept("says", quoted(word))` is says("hi"). */
+/** A text in a percept that becomes a string even if it is an atom: `percept("says", quoted(word))` is says("hi"). */
 inline JavinoQuoted quoted(const char *text) {
   JavinoQuoted value = {text};
   return value;
@@ -49,24 +49,24 @@ inline JavinoQuoted quoted(const char *text) {
 class JavinoBoard;
 
 /**
- * The counters of a board, see JavinoBoard::countInto(). The sketch may read, reset and show them: `board.percept("line", counters.frames,
- * counters.damaged, counters.overruns, counters.longestLoop)`.
+ * The counters of a board, see JavinoBoard::countInto(). The sketch may read and reset them, and send them as percepts:
+ * `board.percept("line", counters.frames, counters.damaged, counters.overruns, counters.longestLoop)`.
  */
 class JavinoCounters {
 public:
   unsigned long frames;  /**< Intact frames that have arrived. */
-  unsigned long damaged; /**< Damaged frames of version 2, which were dropped. Version 1 has no checksums. */
-  /** How many times the port's receive buffer was full, so that bytes may have been lost. 0 if the buffer's size is not known. */
+  unsigned long damaged; /**< Dropped damaged frames of version 2. Version 1 has no checksums. */
+  /** How often the port's receive buffer was full. Bytes may have been lost then. Always 0 if the buffer's size is not known. */
   unsigned long overruns;
-  unsigned long longestLoop; /**< The most milliseconds between two looks for messages: the longest round of loop(), or callback. */
+  unsigned long longestLoop; /**< The longest time in ms between two checks for messages: the longest loop() or callback. */
 
   JavinoCounters() : frames(0), damaged(0), overruns(0), longestLoop(0) {}
 
 private:
   friend class JavinoBoard;
-  void (*hook_)(JavinoBoard &); /* The hook that the board had before; called after counting. */
-  unsigned long look_ms_;                    /* The time of the board's last look for messages. */
-  uint8_t frames_;                           /* The link's count of frames at the last look; below, that of damaged frames. */
+  void (*hook_)(JavinoBoard &); /* The board's previous hook, called after counting. */
+  unsigned long look_ms_;                    /* Time of the last check for messages. */
+  uint8_t frames_;                           /* The link's count of frames at the last check. damaged_ likewise. */
   uint8_t damaged_;
 };
 
@@ -74,24 +74,27 @@ private:
 typedef javino_later JavinoLater;
 
 /**
- * A board on a line. Use Javino or JavinoNetwork; for another amount of memory, JavinoSized or JavinoNetworkSized. Registered functions
- * never run in an interrupt. Only a write to a line with a full buffer waits; bytes that arrive in that time are kept.
+ * A board on a line. Use Javino or JavinoNetwork. For another amount of memory use JavinoSized or JavinoNetworkSized. Registered
+ * functions never run in an interrupt. Only a write to a line with a full buffer waits. Bytes that arrive during the wait are kept.
  */
 class JavinoBoard {
 public:
-  /** Called to write percepts, or when the link is lost. */
+  /** Called to write percepts, or after the link is lost. */
   typedef void (*Callback)();
 
   /**
-   * Like Callback, but gets the board. So one function can serve several boards. If the board is of a derived class, the function reaches
-   * the members of that class with `static_cast<Robot &>(board)`.
+   * A Callback that gets the board. One function can then serve several boards. If the board has a derived class,
+   * `static_cast<Robot &>(board)` gives access to the members of that class.
    */
   typedef JavinoActions::BoardFunction BoardCallback;
 
-  /** Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms; below 2000 baud, 20 byte times. */
+  /**
+   * Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms. Below 2000 baud it is 20 byte
+   * times.
+   */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
-  /** Takes the bytes that have arrived. run() and availableMsg() do this too, so a sketch needs no serialEvent(). */
+  /** Takes the bytes that have arrived. run() and availableMsg() also do this, so a sketch needs no serialEvent(). */
   void readSerial() { receive(); }
 
   /** @name Callbacks */
@@ -99,8 +102,8 @@ public:
 
   /**
    * Handles all messages that have arrived: answers requests for percepts, carries out actions, reports a lost link. Refuses unknown
-   * actions; in version 1 ignores them. Call run() in every loop(). Called within a callback, run() only takes the bytes that have arrived,
-   * so that a long callback loses no bytes. Requests and actions, even `stop`, wait until the callback has returned. See later().
+   * actions in version 2, ignores them in version 1. Call run() in every loop(). Within a callback, run() only takes the bytes that have
+   * arrived, so a long callback loses no bytes. Requests and actions, even `stop`, wait until the callback has returned. See later().
    */
   void run();
 
@@ -109,7 +112,7 @@ public:
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
   }
-  /** The same for a function that gets the board. It is a template so that NULL counts as a Callback. */
+  /** Registers a function that gets the board. This is a template, so NULL counts as a Callback. */
   template <typename = void> void perceive(BoardCallback write) {
     perceive_ = reinterpret_cast<Callback>(write);
     look_ = write ? perceiveWithBoard : NULL;
@@ -121,12 +124,12 @@ public:
   /**
    * Registers the function for an action with arguments.
    *
-   * @param name       the functor. It is not copied, so it must last. But a name in flash is copied into the board's memory, so
-   *                   register it before anything arrives
-   * @param function   takes the board, the arguments, both in this order, or neither. If it does not take the arguments, an action with
-   *                   arguments is refused. The function returns `void` or `bool`; false refuses the action
-   * @param arguments  the number of arguments. An action with another number is refused, and the function is not called
-   * @return false: the action is left out, see JavinoActions::full()
+   * @param name       the functor. It is not copied, so it must stay valid. A name in flash is copied into the board's memory, so
+   *     register it before anything arrives
+   * @param function   takes the board, the arguments, both in this order, or neither. A function without the arguments refuses an action
+   *     with arguments. The function returns `void` or `bool`. false refuses the action
+   * @param arguments  the number of arguments. An action with another number is refused without a call
+   * @return false if the action is left out, see JavinoActions::full()
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
@@ -150,7 +153,7 @@ public:
   bool onAction(const char *name, bool (*function)(JavinoBoard &)) {
     return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<bool>);
   }
-  /** For any other function: a compile error that says what to write. */
+  /** Any other function: a compile error says what to write. */
   template <typename Result, typename... Given> bool onAction(const char *, Result (*function)(Given...), uint8_t = JavinoActions::ANY) {
     return JavinoActions::explain(function);
   }
@@ -161,36 +164,39 @@ public:
   }
 
   /**
-   * Registers the function for unknown actions and for actions with a wrong number of arguments. Without such a function, they are refused,
-   * and `argo.act` fails with `error(act_refused)`. In version 1, which has no outcomes, nothing happens.
+   * Registers the function for unknown actions and for actions with a wrong number of arguments. Without such a function the board
+   * refuses them, and `argo.act` fails with `error(act_refused)`. Version 1 has no outcomes, so the board ignores them.
    *
-   * While a function is registered, the board does not describe its actions to computers, since ARGO would then send only described
-   * actions. So every action arrives as text, and can reach the function.
+   * While a function is registered, the board does not describe its actions to computers. ARGO would send only described actions. Every
+   * action then arrives as text.
    *
-   * @param function  gets the action's whole text, such as `fly(3)`, which is valid until the function returns. If the function returns
-   *                  `void`, the action is refused. If it returns `bool`, true means that it has carried the action out. NULL: none
+   * @param function  gets the action's whole text, such as `fly(3)`, which is valid until the function returns. A function that returns
+   *     `void` refuses the action. A function that returns `bool` returns true if it has carried the action out. NULL: no function
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
-  /** The same for a function that returns bool. It is a template so that NULL counts as a function that returns void. */
+  /** Registers a function that returns bool. This is a template, so NULL counts as a function that returns void. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
    * Call later() in an action's function to report the outcome later, with done(). The function then returns at once, and its result is
    * ignored. Meanwhile the board answers requests, for example while a gripper closes. ARGO's `argo.act` waits for the outcome. Until
-   * done() is called, no other action of version 2 is carried out, not even an urgent one. So if another action must be able to stop this
-   * action, report this action as carried out when it begins. A percept can later tell that it has ended.
+   * done() is called, the board carries out no other action of version 2, not even an urgent one. If another action must be able to stop
+   * this action, do not call later(). Report the end of this action with a percept instead.
    *
-   * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
+   * @return the value for done(). Version 1 has no outcomes: done() then does nothing
    */
   JavinoLater later() { return javino_link_later(&board_.link); }
 
-  /** Reports whether an action that called later() was carried out. @return false: nobody waits for the outcome, as after a new session */
+  /**
+   * Reports whether an action with later() was carried out. @return false if nobody waits for the outcome, for example after a new
+   * session
+   */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers a function that is called if nothing valid has arrived for `ms` milliseconds; with 0, it is never called. The function can
-   * stop motors if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long
-   * loop() count as arrived at its beginning (javino_link_lost). Only a watchdog notices a loop() that never returns.
+   * Registers a function for a lost link: it is called if nothing valid has arrived for `ms` milliseconds. With 0, it is never called.
+   * The function can stop motors if the computer fails. It is called once, and again only after something has arrived. Bytes that arrived
+   * during a long loop() count as arrived at its beginning (javino_link_lost). If loop() never returns, only a watchdog helps.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
@@ -198,13 +204,16 @@ public:
     supervise_ = ms && function ? loseAlone : NULL;
     javino_link_supervise(&board_.link, millis());
   }
-  /** The same for a function that gets the board. It is a template so that NULL counts as a Callback. */
+  /** Registers a function that gets the board. This is a template, so NULL counts as a Callback. */
   template <typename = void> void onLinkLost(unsigned long ms, BoardCallback function) {
     onLinkLost(ms, reinterpret_cast<Callback>(function));
     supervise_ = ms && function ? loseWithBoard : NULL;
   }
 
-  /** Begins to count incoming frames and the time of loop(). The counters must last. Sketches without this call do not link the code. */
+  /**
+   * Starts to count incoming frames and the time of loop(). The counters must stay valid. Sketches without this call do not link the
+   * code.
+   */
   void countInto(JavinoCounters &counters) {
     counters.frames_ = board_.link.frames;
     counters.damaged_ = board_.link.decoder.damaged;
@@ -218,14 +227,14 @@ public:
   }
 
   /**
-   * Lets the board itself watch critical rules, which the computer sets. When a rule begins to be met, its reflex is carried out at once,
-   * within run(). At most every 5 ms, the function of perceive() is called for the percepts that the rules name. The function should read
-   * only sensors for which wants() returns true. The action of a reflex is called within percept().
+   * Lets the board itself watch critical rules from the computer. When a rule begins to match, run() carries out its reflex at once. At
+   * most every 5 ms, run() calls the function of perceive() for the percepts in the rules. This function should read only sensors for
+   * which wants() returns true. percept() calls the action of a reflex.
    *
    * Call watchRules() in setup(), before anything arrives. A sketch without this call does not link the code.
    *
-   * @param bytes  how much of the board's memory is for the rules; one rule takes some 20 bytes
-   * @return false: there is too little memory, something has arrived, or version 2 is left out
+   * @param bytes  the part of the board's memory for the rules, in bytes. One rule takes about 20 bytes
+   * @return false if there is too little memory, if something has arrived, or if version 2 is left out
    */
   bool watchRules(uint8_t bytes = 96) {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -246,9 +255,9 @@ public:
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
    * @param functor  an atom, perhaps with a ~ in front
-   * @param terms    whole numbers of up to 64 bits; numbers with two decimals, or with as many as decimals() says; true and false; text,
-   *                 written as an atom if it is one, else as a string
-   * @return false: the percept will not be sent, as it is longer than a frame, or the memory is full and no request is in hand
+   * @param terms    whole numbers of up to 64 bits; numbers, with two decimals unless decimals() sets another number; true and false;
+   *     text, which becomes an atom if possible, else a string
+   * @return false if the percept is not sent: it is longer than a frame, or the memory is full and there is no request to answer
    */
   template <typename... Terms> bool percept(const char *functor, Terms... terms) {
     return javino_percept_begin(&board_, functor) ? write(terms...) : true;
@@ -257,39 +266,40 @@ public:
     return begins(functor) ? write(terms...) : true;
   }
 
-  /** Writes one percept given as text, without the `;` at its end. @return as percept() */
+  /** Writes one percept, given as text without the `;`. @return as percept() */
   bool addPercept(const char *text);
   bool addPercept(const String &text) { return addPercept(text.c_str()); }
   bool addPercept(const __FlashStringHelper *text);
 
   /**
    * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call describe() for each kind, in the function of
-   * perceive(). It writes only if a computer of version 2 asks for the description, which is rare. Then wants() is false for all percepts.
+   * perceive(). It writes only if a computer of version 2 has requested the description. During such a request wants() returns false for
+   * all percepts.
    *
    * @param kind  a functor, and for each argument `_` (anything), a choice (`front|left`, `0|1`), or a number's unit, if any, and range
-   *              (`cm 0..400`, `-40..125`, `% ..`); at most 250 bytes
+   *     (`cm 0..400`, `-40..125`, `% ..`); at most 250 bytes
    * @return as percept()
    */
   bool describe(const __FlashStringHelper *kind);
 
-  /** Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read. */
+  /** Returns true if the present request asks for percepts with this functor. If not, the sensor need not be read. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;
 
-  /** Sends the written percepts as the answer. run() itself does so after it has called the function of perceive(). */
+  /** Sends the written percepts as the answer. run() does this after the function of perceive(). */
   void sendPercepts() { javino_board_answer(&board_); }
 
-  /** Forgets the percepts that have been written. */
+  /** Forgets the written percepts. */
   void clearPercepts() { javino_board_clear(&board_); }
   ///@}
 
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /** Looks for the next message; the previous action counts as carried out. Within a callback, only takes bytes, and returns false. */
+  /** Looks for the next message. The previous action then counts as carried out. Within a callback, only takes bytes and returns false. */
   bool availableMsg();
 
-  /** Returns the message's text: an action, or getPercepts for a request. Empty: there is no message. Uses the heap. */
+  /** Returns the message's text: an action, or getPercepts for a request. Empty if there is no message. Uses the heap. */
   String getMsg() const;
 
   /** Returns true if the message asks for percepts. */
@@ -300,21 +310,21 @@ public:
   bool requestAction(const String &text) const { return requestAction(text.c_str()); }
   bool requestAction(const __FlashStringHelper *text) const;
 
-  /** Refuses the message: the action is unknown or malformed. */
+  /** Refuses the message as unknown or malformed. */
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. All these percepts are sent, whichever functors the
-   * request names.
+   * Sends a message, unasked or as an answer: percepts, each followed by `;`. Sends all of them, even if the request names only some
+   * functors.
    *
-   * @return false: a percept is too long for version 1
+   * @return false if a percept is too long for version 1
    */
   bool sendMsg(const char *text) { return javino_board_send(&board_, text, strlen(text)); }
   bool sendMsg(const String &text) { return javino_board_send(&board_, text.c_str(), text.length()); }
   bool sendMsg(const __FlashStringHelper *text);
   ///@}
 
-  /** @name As earlier libraries spelt them */
+  /** @name Spellings of earlier libraries */
   ///@{
   bool availablemsg() { return availableMsg(); }
   String getmsg() const { return getMsg(); }
@@ -325,13 +335,13 @@ protected:
   /** Opens a port with this baud rate. */
   typedef void (*Open)(Stream &port, unsigned long baud);
 
-  /* Only for the compiler: `Javino javino = Javino();` needs a copy constructor but does not call it. */
+  /* Never called, but `Javino javino = Javino();` needs a copy constructor. */
   JavinoBoard(const JavinoBoard &);
 
   /** A board on this stream. The memory is aligned for pointers. */
   JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size);
 
-  /** Forgets an incomplete message, as its rest will not come. */
+  /** Forgets an incomplete message, because its rest will not arrive. */
   void forgetPart() {
     javino_decoder *decoder = &board_.link.decoder;
     uint8_t session = decoder->session;
@@ -345,7 +355,7 @@ protected:
 private:
   JavinoBoard &operator=(const JavinoBoard &);
 
-  /** A hook for code that most sketches do not link. It is called before each search for messages. */
+  /** A hook for code that most sketches do not link. Called before each search for messages. */
   typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);
@@ -405,21 +415,21 @@ private:
   void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
-  /* Deleted: any other pointer would be taken for a bool. */
+  /* Deleted, because any other pointer would convert to bool. */
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
   void (*look_)(JavinoBoard &); /* Calls perceive_. */
   Callback perceive_;
-  void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise the link. Then the code for it is not linked. */
+  void (*supervise_)(JavinoBoard &); /* Null if the sketch does not supervise the link. The code for it is then not linked. */
   Callback lost_;
   unsigned long silence_ms_;
   Hook hook_;
   JavinoCounters *counters_;
-  int free_;                                  /* The port's room for bytes when no byte waits in it. */
-  bool waiting_; /* True: the action in hand waits for the bytes behind it. */
-  bool busy_;    /* True: run() or availableMsg() is under way. */
-  bool mute_;    /* True: the port takes no more bytes of this message. */
+  int free_;                                  /* The port's room for bytes when its buffer is empty. */
+  bool waiting_; /* Whether the present action waits for the following bytes. */
+  bool busy_;    /* Whether run() or availableMsg() is running. */
+  bool mute_;    /* Whether the port has stopped to take bytes of this message. */
   javino_board board_;
 };
 

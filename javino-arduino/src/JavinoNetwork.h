@@ -1,6 +1,6 @@
 /**
- * @file A board on a network or on Bluetooth: on any Stream that the sketch may open, replace and lose, such as a WiFiClient, an
- * EthernetClient or a BluetoothSerial. It needs no Serial.
+ * @file A board on a network or on Bluetooth. It uses any Stream, such as a WiFiClient, an EthernetClient or a BluetoothSerial. The
+ *     sketch may open, replace and lose this stream. Serial is not needed.
  *
  *     #include <JavinoNetwork.h>
  *
@@ -17,24 +17,27 @@
  *       javino.run();
  *     }
  *
- * It has everything that JavinoBoard has. All bytes of a run() go out in one write: a frame takes one packet, not one for each byte.
+ * It has all functions of JavinoBoard. All bytes of a run() go out in one write, so a frame takes one packet.
  */
 #ifndef JAVINO_NETWORK_H
 #define JAVINO_NETWORK_H
 
 #include "JavinoBoard.h"
 
-/** How many bytes are gathered for one write; a longer answer takes several. A packet of TCP over Ethernet holds 1,460 bytes. */
+/**
+ * The number of bytes that are gathered for one write. A longer answer takes several writes. A TCP packet over Ethernet holds 1,460
+ * bytes.
+ */
 #ifndef JAVINO_GATHERED_BYTES
 #define JAVINO_GATHERED_BYTES 300
 #endif
 
-/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change or be missing. */
+/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change or be absent. */
 class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
 
-  /** Sets the stream, and forgets the bytes gathered for the previous stream. */
+  /** Sets the stream, and forgets bytes gathered for the previous stream. */
   void setStream(Stream *stream) {
     to_ = stream;
     length_ = 0;
@@ -42,7 +45,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops bytes that the stream does not take: then nobody is there any more. */
+  /** Writes the gathered bytes. Drops bytes that the stream does not take. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {
@@ -73,43 +76,43 @@ private:
   uint8_t bytes_[JAVINO_GATHERED_BYTES];
 };
 
-/** For JavinoNetworkSized: a base class, so that the gathering is constructed before the board, which refers to it. */
+/** For JavinoNetworkSized: a base class. Its member is therefore constructed before the board, which refers to it. */
 struct JavinoGatheringHolder {
   JavinoGathering gathering_;
 };
 
-/** A board on streams, with this many bytes of memory, see JavinoSized. */
+/** A board on streams with this many bytes of memory, see JavinoSized. */
 template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
 public:
   /** A board without a stream until setStream() is called. */
   JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
 
-  /** A board on this stream, which must last while the board uses it. */
+  /** A board on this stream. The stream must stay valid while the board uses it. */
   explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
     begin();
     setStream(stream);
   }
 
-  /** Sets the longest pause within a message to 2 s, for networks. The constructor does so too; see setTimeLimit(). */
+  /** Sets the longest pause within a message to 2 s, for networks. The constructor also does this. See setTimeLimit(). */
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this open stream from now on, such as a computer's new connection. The stream must last until another is set. An incomplete
-   * message from the old stream is forgotten. If an outcome is lost with the old stream, and the computer repeats the command through the
-   * new one, the command is still carried out only once. Do not call this within a callback.
+   * Uses this open stream from now on, for example a computer's new connection. The stream must stay valid until another is set. An
+   * incomplete message from the old stream is forgotten. If the old stream loses an outcome, the computer may repeat the command through
+   * the new stream. The board still carries it out only once. Do not call this within a callback.
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);
     forgetPart();
   }
 
-  /** Uses no stream any more. run() still notices a lost link. */
+  /** Removes the stream. run() still notices a lost link. */
   void removeStream() { gathering_.setStream(NULL); }
 
   /** Returns true if a stream has been set. */
   bool hasStream() const { return !gathering_.isOn(NULL); }
 
-  /** @name As in JavinoBoard, but these functions also send the gathered bytes. */
+  /** @name Like the functions of JavinoBoard. They also send the gathered bytes. */
   ///@{
   void run() {
     JavinoBoard::run();

@@ -10,10 +10,10 @@
 #define IS_OPEN(board) false
 #define HEADER 0
 #else
-/* True if a part of an answer has gone out, but not the last part. */
+/* True if a part of an answer has gone out, but not its last part. */
 #define IS_OPEN(board) ((board)->part != 0)
 #define HEADER JAVINO_ITEM_HEADER
-/* The most bytes of an answer in a frame, without the numbers of the request and the part. */
+/* The most bytes of an answer in one frame. The frame also has the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
 #define SPLITS /* a percept that is longer than the memory goes out in pieces */
@@ -40,7 +40,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
     javino_decoder *d = &b->link.decoder;
     uint8_t *place = d->bytes;
     uint16_t room = b->memory - base;
-    /* In version 1 a message is one frame. Bytes that arrive while an answer is being written also need room. */
+    /* In version 1 a message is one frame. Bytes that arrive while the program writes an answer also need room. */
 #if JAVINO_TEXT_MAX > 255
     if (!JAVINO_IS_2(&b->link))
         room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
@@ -107,14 +107,14 @@ void *javino_board_take_front(javino_board *board, uint16_t size)
 }
 
 #ifndef JAVINO_NO_FUNCTOR_LISTS
-/* True if the request's list has this functor, or the request has no list. */
+/* True if the request lists this functor, or has no list. */
 static bool is_named(const javino_link *link, const char *functor, uint8_t length)
 {
     const char *p = link->text;
     uint8_t left = link->length;
-    uint8_t same = NOT_SAME; /* how many bytes of this name equal the functor's first bytes */
+    uint8_t same = NOT_SAME; /* number of matching bytes at the start of this name */
     bool all = true;
-    /* Before and after each name there is a bracket or a comma. */
+    /* A bracket or a comma precedes and follows each name. */
     for (; left; left--) {
         char c = *p++;
         if (c == '(' || c == ',' || c == ')') {
@@ -152,7 +152,10 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Begins the frame of a part of an answer. length: how many bytes of the answer the part has. */
+/*
+ * Begins the frame of a part of an answer.
+ * length: number of answer bytes in the part
+ */
 static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
@@ -174,7 +177,7 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
         javino_encoder_put(&l->encoder, part);
 }
 
-/* Sends an item as a part of its own. */
+/* Sends an item as a separate part. */
 static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_encoder *e = &b->link.encoder;
@@ -210,7 +213,7 @@ void javino_board_send_text(javino_board *board, bool last, javino_room n)
 #endif
 }
 
-/* Codes the percepts that are not coded yet. An unfinished percept stays behind the coded percepts. */
+/* Codes the percepts that are not coded yet. An unfinished percept stays after the coded percepts. */
 static JAVINO_NOINLINE void code(javino_board *b)
 {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -230,7 +233,7 @@ static void begin_item(javino_board *b)
 }
 #endif
 
-/* Sends as many whole percepts as a frame holds, ahead of the rest. If a percept is longer than the memory, sends a piece of it. */
+/* Sends as many whole percepts as a frame holds. If a percept is longer than the memory, sends a piece of it. */
 static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
@@ -248,7 +251,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set, only one short part goes out now, so that the rules are watched before the next part. */
+    /* If rules are set, sends only one short part, so the rules are checked before the next part. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -256,7 +259,7 @@ static void send_ahead(javino_board *b)
         javino_board_send_text(b, false, n);
 }
 
-/* Makes room for one more byte of an answer. If necessary, sends a part of the answer ahead. */
+/* Makes room for one more byte of an answer. If necessary, sends a part of the answer early. */
 static void make_room(javino_board *b)
 {
     if (b->link.event == JAVINO_REQUEST) {
@@ -274,17 +277,17 @@ bool javino_kind_begin(javino_board *board)
 {
     const javino_link *l = &board->link;
     if (l->event != JAVINO_REQUEST || l->length != 3 || l->text[1] != '?')
-        return false; /* The request does not ask for kinds, as (?) does. */
+        return false; /* Only the list (?) asks for kinds. */
     javino_percept_put(board, '?');
 #ifndef JAVINO_VERSION_1_ONLY
-    board->text[board->whole] = JAVINO_ITEM_TEXT; /* So that the text uses up no shape. */
+    board->text[board->whole] = JAVINO_ITEM_TEXT; /* The text must not use up a shape. */
 #endif
     return true;
 }
 
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
-    const char *name = *functor == '~' ? functor + 1 : functor; /* Requests name the functor without the ~. */
+    const char *name = *functor == '~' ? functor + 1 : functor; /* Requests name functors without the ~. */
     if (!javino_board_wants(board, name, (uint8_t)strlen(name)))
         return false;
     javino_percept_text(board, functor);
@@ -441,7 +444,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
         b->part = 0; /* An answer ends with its session. */
 #endif
 #if JAVINO_TEXT_MAX > 255
-    /* A percept written for version 2 may be too long for version 1. */
+    /* A percept for version 2 may be too long for version 1. */
     if (b->length == 0 || (!JAVINO_IS_2(&b->link) && b->room > JAVINO_MAX_PAYLOAD + HEADER))
         javino_board_clear(b);
 #endif
@@ -463,8 +466,8 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
     javino_nesting n = {0, 0, false, false, 0};
-    size_t sent = 0;  /* everything before this index is sent or left out */
-    size_t whole = 0; /* the percepts before this index are whole */
+    size_t sent = 0;  /* all text before this index is sent or left out */
+    size_t whole = 0; /* the percepts before this index are complete */
     size_t end;
     bool complete = true;
     for (end = 1; end <= length; end++) {

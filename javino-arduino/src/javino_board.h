@@ -1,11 +1,11 @@
 /**
- * @file A board: a link, and the percepts with which it answers requests.
+ * @file A board: a link, and the percepts that answer requests.
  *
- * An answer is text: percepts, each with a `;` behind it. The answer is built behind the received bytes, in the link's memory. The board
- * codes the answer in place when it is sent, or earlier if the memory is full. In version 2, a percept of which the computer knows
- * everything except the digits takes half a byte for each digit. If an answer still does not fit, its beginning goes out early: in version
- * 2 as a part of the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so that
- * the longest frame can still arrive. In version 1 they are one message of at most 255 bytes.
+ * An answer is text: percepts, each followed by `;`. The answer is built after the received bytes, in the link's memory. The board codes
+ * the answer in place when it is sent, or earlier if the memory is full. In version 2, each digit of a percept takes half a byte if the
+ * computer knows the rest of the percept. If an answer still does not fit, its beginning goes out early: in version 2 as a part of the
+ * answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame can
+ * still arrive. In version 1 they are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -16,14 +16,17 @@
 extern "C" {
 #endif
 
-/** Bytes of a board's memory that always remain for an answer. */
+/** Bytes of a board's memory that are always reserved for an answer. */
 #define JAVINO_TEXT_MIN 64
-/** The bytes of memory with which a board can receive every possible frame. */
+/** The memory, in bytes, with which a board can receive every frame. */
 #define JAVINO_MEMORY (JAVINO_WINDOW + JAVINO_TEXT_MIN)
-/** The least memory, in bytes, that a board works with. */
+/** The smallest memory of a board, in bytes. */
 #define JAVINO_MEMORY_MIN 160
 
-/** The largest text of an answer, in bytes. A limit of 255 (one frame) takes less flash. In version 2 the text may fill the memory. */
+/**
+ * The longest text of an answer in memory, in bytes. With 255 (one frame) the code is smaller. With more, an answer of version 2 may fill
+ * the memory.
+ */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
@@ -39,8 +42,8 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * How many shapes (texts of percepts without their digits) a board distinguishes, at most 126. Each takes four bytes. Percepts of further
- * shapes are sent as text.
+ * The number of shapes (texts of percepts without their digits) that a board distinguishes, at most 126. Each takes four bytes. Percepts
+ * with other shapes are sent as text.
  */
 #ifndef JAVINO_SHAPES
 #ifdef __AVR__
@@ -50,7 +53,7 @@ typedef uint8_t javino_room;
 #endif
 #endif
 
-/** The CRC of a text without its digits, and the sum of the CRCs of all beginnings of that text. */
+/** The CRC of a text without its digits, and the sum of the CRCs of all prefixes of that text. */
 typedef struct {
     uint16_t crc;
     uint16_t sum;
@@ -61,29 +64,29 @@ struct javino_rules;
 
 /** The points at which a board calls its rules, see javino_rules.h. */
 enum {
-    JAVINO_RULES_SET,     /**< The command in hand sets or removes rules. The call ends the command. */
+    JAVINO_RULES_SET,     /**< The present command sets or removes rules. The call ends the command. */
     JAVINO_RULES_PERCEPT, /**< A percept has been written. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the rules send it, not the board. */
-    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: an answer is being sent in parts. */
+    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: an answer is going out in parts. */
     JAVINO_RULES_END,     /**< A request is in hand, so the remaining parts of the answer before it go out. True: rules leave the new
                                answer less memory. */
-    JAVINO_RULES_ALL      /**< At any time: the remaining parts of an answer go out. */
+    JAVINO_RULES_ALL      /**< Any time: the remaining parts of an answer go out. */
 };
 
-/** A board. The members are private except link, which is for functions such as javino_link_receive. */
+/** A board. Only link is public, for functions such as javino_link_receive. */
 typedef struct javino_board {
     char *text;
-    uint16_t memory; /* number of bytes */
-    javino_room room;   /* most bytes that text may have */
-    javino_room length; /* number of bytes of text */
-    javino_room whole;  /* number of bytes of whole percepts in the text */
-    bool overlong;   /* the unfinished percept does not fit */
+    uint16_t memory; /* size in bytes */
+    javino_room room;   /* longest text in bytes */
+    javino_room length; /* length of text in bytes */
+    javino_room whole;  /* length of the whole percepts in text */
+    bool overlong;   /* whether the unfinished percept does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool split;         /* a piece of the unfinished percept has gone out */
-    javino_room coded;  /* number of bytes of items in their final form */
-    uint8_t part;       /* number of the answer's parts that have gone out; 0: none */
-    uint8_t answering;  /* the request that is being answered in parts; 0: none */
-    bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: the board holds no rules */
+    bool split;         /* whether a piece of the unfinished percept has gone out */
+    javino_room coded;  /* length of the coded items */
+    uint8_t part;       /* number of parts of the answer that have gone out */
+    uint8_t answering;  /* number of the request that is answered in parts, or 0 */
+    bool (*rule)(struct javino_board *board, uint8_t where); /* NULL if the board holds no rules */
     bool (*watches)(const struct javino_board *board, const char *functor, uint8_t length);
     struct javino_rules *rules;
 #endif
@@ -97,40 +100,40 @@ typedef struct javino_board {
  * Prepares a board.
  *
  * @param memory   belongs to the board from now on
- * @param size     number of the memory's bytes, JAVINO_MEMORY_MIN or more. With fewer than JAVINO_MEMORY the longest frames are lost. More
- *     memory helps with long answers, and with bytes that arrive during such an answer.
+ * @param size     size of the memory in bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are lost. More
+ *     memory helps with long answers, and with bytes that arrive during a long answer.
  * @param write    as for javino_link_init
- * @param context  handed to write
- * @return false: the size is less than JAVINO_MEMORY_MIN, so do not use the board
+ * @param context  passed to write
+ * @return false if the size is less than JAVINO_MEMORY_MIN. Do not use the board then
  */
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
-/** Takes bytes away from the end of the memory, for other use. @return NULL: too few would be left, or percepts are being written */
+/** Takes bytes from the end of the memory, for another use. @return NULL if too few would be left, or if percepts are being written */
 void *javino_board_take(javino_board *board, uint16_t size);
 
-/** Like javino_board_take, from the beginning of the memory. @return NULL also if something has arrived */
+/** Like javino_board_take, but from the beginning of the memory. @return NULL also if something has arrived */
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
- * Like javino_link_poll. Ends an answer of which a part has gone out; forgets any other unsent answer. Unsent unasked percepts join the
- * next answer; if they do not fit there, they are forgotten.
+ * Like javino_link_poll. Ends an answer if a part of it has gone out. Forgets any other unsent answer. Unsent unasked percepts join the
+ * next answer. If they do not fit, they are forgotten.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
-/** @return true: the request in hand asks for percepts of this functor, or no request is in hand */
+/** @return true if the present request asks for percepts with this functor, or if there is no request */
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
- * Begins the description of a kind of percepts, for a computer that asks for kinds. The kind's text must follow, such as
- * `dist(front|left, cm 0..400)`, and then javino_percept_end.
+ * Begins the description of a kind of percepts, for a computer that asks for kinds. Then write the kind's text, such as
+ * `dist(front|left, cm 0..400)`, and call javino_percept_end.
  *
- * @return true: the request in hand asks for kinds; false: write nothing, and do not end the description
+ * @return true if the present request asks for kinds; if false, write nothing and do not call javino_percept_end
  */
 bool javino_kind_begin(javino_board *board);
 
 /**
- * Begins a percept with its functor: an atom, perhaps behind a ~. @return false: nobody wants the percept, so write nothing more of it, and
- * do not end it
+ * Begins a percept with its functor: an atom, perhaps after a ~. @return false if nobody wants the percept. Then write nothing more of
+ * it, and do not call javino_percept_end
  */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
@@ -143,32 +146,35 @@ void javino_percept_text(javino_board *board, const char *text);
 /** Writes a whole number. */
 void javino_percept_number(javino_board *board, uint32_t magnitude, bool negative);
 
-/** Writes text as an atom if it is one (front), else as a string ("hi, you"). */
+/** Writes text as an atom if possible (front), else as a string ("hi, you"). */
 void javino_percept_term(javino_board *board, const char *text);
 
 /** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or the memory is full and no request is in hand */
+/** Ends a percept. @return false if it is longer than 255 bytes in version 1, or if the memory is full and there is no request */
 bool javino_percept_end(javino_board *board);
 
-/** Sends the percepts written so far, even if there are none: as the answer or, without a request, unasked. */
+/** Sends the written percepts, even if there are none: as the answer, or unasked if there is no request. */
 void javino_board_answer(javino_board *board);
 
-/** For javino_rules.c: sends the first n bytes of the text. last: they are the end of the answer. */
+/**
+ * For javino_rules.c: sends the first n bytes of the text.
+ * last: whether they are the end of the answer
+ */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
-/** For javino_rules.c: moves the text to the end of the memory, behind at least `base` bytes for incoming frames. */
+/** For javino_rules.c: moves the text to the end of the memory. At least `base` bytes before the text stay free for incoming frames. */
 void javino_board_place(javino_board *board, uint16_t base);
 
-/** Forgets the percepts written so far. */
+/** Forgets the written percepts. */
 void javino_board_clear(javino_board *board);
 
 /**
- * Sends a message of any length. In version 2 it is divided into parts. In version 1, if it is longer than a frame, it is divided into
- * messages of whole percepts. It counts as the answer to the request in hand.
+ * Sends a message of any length. It counts as the answer to the present request. In version 2 it goes out in parts. In version 1 a
+ * message that is longer than a frame goes out as several messages of whole percepts.
  *
- * @return true: everything has been sent; false: a percept is longer than a frame of version 1
+ * @return false if a percept is longer than a frame of version 1
  */
 bool javino_board_send(javino_board *board, const char *text, size_t length);
 

@@ -17,12 +17,12 @@ static uint8_t digit_value(uint8_t c)
     c = (uint8_t)(c - '0');
     if (c < 10)
         return c;
-    c = (uint8_t)((c | 0x20) - ('a' - '0')); /* for letters of either case */
+    c = (uint8_t)((c | 0x20) - ('a' - '0')); /* for upper and lower case */
     return c < 6 ? c + 10 : NO_DIGIT;
 }
 #endif
 
-/* The milliseconds that have passed; 0 if `was` is later than `now`: a byte may have come after the caller read the clock. */
+/* Returns the milliseconds since `was`. Returns 0 if `was` is later than `now`: a byte may have come after the caller read the clock. */
 static uint16_t elapsed(uint16_t now, uint16_t was)
 {
     now -= was;
@@ -39,8 +39,8 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* While there is no room, bytes of unknown age may wait unread, so no silence counts. While a frame is in hand, the line may fall silent a
- * second time. Then the first silence is kept, since the bytes before it have waited longer. */
+/* While there is no room, unread bytes of unknown age may be waiting, so a silence does not count. While a frame is delivered but not
+ * confirmed, the line may fall silent twice. The first silence is kept, because the bytes before it have waited longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
@@ -105,8 +105,8 @@ static bool is_intact(const javino_decoder *d, const uint8_t *frame, const uint8
 }
 
 /**
- * Reads on in the frame of version 2 at p, up to the last byte that has come, and removes the escapes. FOLLOWS_HEADER: the frame is whole.
- * FOLLOWS_OTHER: it is damaged, and ends with or before the byte that shows the damage.
+ * Continues to read the frame of version 2 at p, up to the last byte that has come. Removes the escapes. FOLLOWS_HEADER: the frame is
+ * complete. FOLLOWS_OTHER: the frame is damaged, and ends at or before the byte that shows the damage.
  */
 static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *end)
 {
@@ -156,7 +156,7 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *
 #endif
 
 #ifndef JAVINO_VERSION_2_ONLY
-/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: there are too few bytes. */
+/* Reads the header of a frame of version 1 and the length of its payload. FOLLOWS_UNKNOWN: there are too few bytes. */
 static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t *length)
 {
     uint8_t i;
@@ -180,8 +180,8 @@ static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t 
 }
 #endif
 
-/* Reads on up to the last byte that has come. FOLLOWS_HEADER: a frame is whole or, if a frame is held, a header or silence follows it.
- * FOLLOWS_OTHER: the bytes read are no frame. FOLLOWS_UNKNOWN: more bytes must come. */
+/* Continues to read, up to the last byte that has come. FOLLOWS_HEADER: a frame is complete. If a frame is held, a header or silence
+ * follows it. FOLLOWS_OTHER: the bytes are no frame. FOLLOWS_UNKNOWN: more bytes are needed. */
 static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 {
     uint16_t stop = d->gap ? d->gap : d->end;
@@ -213,7 +213,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (read == JAVINO_FOLLOWS_HEADER && !d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
-            return JAVINO_FOLLOWS_OTHER; /* The memory has no room for this frame and the bytes behind it. */
+            return JAVINO_FOLLOWS_OTHER; /* The memory has no room for this frame and the next header. */
         if (whole <= stop)
             d->taken = whole;
         else

@@ -10,7 +10,7 @@ const char javino_preamble[4] = {'f', 'f', 'f', 'e'};
 
 JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
 {
-    /* Divides a whole byte at once by the polynomial. */
+    /* Divides a whole byte by the polynomial in one step. */
     uint8_t high = (uint8_t)(crc >> 8) ^ byte;
     high ^= high >> 4;
     return (uint16_t)(((uint8_t)crc ^ (uint8_t)(high << 4) ^ high >> 3) << 8) | (uint8_t)(high ^ (uint8_t)(high << 5));

@@ -6,13 +6,13 @@
 
 #define END_OF_NUMBER 0xF
 
-/* Returns the value of a digit; for any other character, more than 9. */
+/* Returns the value of a digit. Returns more than 9 for any other character. */
 static uint8_t value_of(char c)
 {
     return (uint8_t)c ^ '0';
 }
 
-/* Returns the id of a text's shape, if necessary a new id; JAVINO_ITEM_TEXT: no id is left. */
+/* Returns the id of a text's shape. A new shape gets a new id. Returns JAVINO_ITEM_TEXT if no id is left. */
 static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
 {
     uint16_t crc = JAVINO_CRC_START(0);
@@ -25,7 +25,7 @@ static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
         if (value_of(c) <= 9) {
             if (before == '0')
                 continue;
-            c = '0'; /* in shapes, 0 stands for any number */
+            c = '0'; /* in shapes, one 0 replaces each number */
         }
         before = c;
         crc = javino_crc16(crc, (uint8_t)c);
@@ -48,8 +48,8 @@ void javino_items_code(javino_board *board)
     uint8_t *out = (uint8_t *)b->text + b->coded;
     const uint8_t *in = out;
     const uint8_t *end = (uint8_t *)b->text + b->whole;
-    uint8_t *row = NULL; /* the row of digits that the next percept may continue */
-    bool half = false;   /* true: the row's last byte has room for a digit */
+    uint8_t *row = NULL; /* the row of digits that the next percept can extend */
+    bool half = false;   /* whether the row's last byte has room for a digit */
     javino_room rest = b->length - b->whole;
     while (in < end) {
         uint8_t length = in[1];

@@ -6,10 +6,10 @@
 #define REQUEST_LENGTH 11 /* length of getPercepts */
 #endif
 
-/* The most frames that one poll handles, so that a flood of frames cannot stop the program. */
+/* The most frames for one poll. A flood of frames then cannot block the program. */
 #define FRAMES_PER_POLL 8
 
-/* The number of bytes of the checksum behind a payload. */
+/* Number of checksum bytes after a payload. */
 #define CRC_LENGTH 2
 
 /* The first bytes of items in a row of commands. */
@@ -21,7 +21,7 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    /* In place of javino_decoder_init, which would clear the decoder a second time. */
+    /* Not javino_decoder_init, because it would clear the decoder again. */
     link->decoder.bytes = (uint8_t *)bytes;
     link->decoder.size = size;
     link->decoder.timeout_ms = 100;
@@ -79,7 +79,7 @@ static void acknowledge(javino_link *l)
     send(l, JAVINO_ACK, NULL, 0);
 }
 
-/* Ends the command that is due. */
+/* Ends the next command in order. */
 static void settle(javino_link *l, bool done)
 {
     l->due++;
@@ -95,21 +95,21 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     send(l, JAVINO_WELCOME, &l->session, 6);
 }
 
-/* Begins a session, or ends the present session if the nonce is 0. */
+/* Begins a session. If the nonce is 0, ends the present session. */
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
-    memset(&l->due, 0, 5); /* clears also flags, known, shapes and rules */
+    memset(&l->due, 0, 5); /* also clears flags, known, shapes and rules */
     javino_decoder_session(&l->decoder, nonce);
 }
 
-/* `actions` are stored newest first; number 0 is the oldest. */
+/* `actions` is stored newest first. Number 0 is the oldest action. */
 static JAVINO_NOINLINE const javino_action *action_at(const javino_link *l, uint8_t number)
 {
     return (const javino_action *)((const char *)l->actions + l->action_size * (uint8_t)(l->action_count - 1 - number));
 }
 
-/* Sends the actions from `first` on, as many as a frame holds. */
+/* Sends as many actions from `first` on as a frame holds. */
 static void describe(javino_link *l, uint8_t request, uint8_t first)
 {
     uint8_t length = 3;
@@ -136,7 +136,7 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
     javino_encoder_end(&l->encoder);
 }
 
-/* Hands out the next command of the frame. At the end of the frame, acknowledges its commands. */
+/* Returns the next command of the frame. At the end of the frame, acknowledges its commands. */
 static javino_event next_command(javino_link *l)
 {
     uint8_t *frame = l->decoder.bytes;
@@ -182,7 +182,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* Returns the event that a frame of version 2 means for the program. */
+/* Returns the event for the program that a frame of version 2 causes. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];
@@ -191,7 +191,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        if (number != l->session) /* if equal, the same HELLO came twice */
+        if (number != l->session) /* a repeated HELLO begins no new session */
             begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
@@ -216,7 +216,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 
 /* ---- Both versions ---- */
 
-/* Returns the event that the frame which has just arrived means for the program. */
+/* Returns the event for the program that a new frame causes. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
 #ifndef JAVINO_VERSION_2_ONLY
@@ -325,7 +325,7 @@ JAVINO_OUTLINE void javino_link_supervise(javino_link *link, uint32_t now_ms)
 JAVINO_NOINLINE bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
     if (link->heard) {
-        /* The valid message may have waited since the receive buffer was last found empty. */
+        /* The message may have waited since the receive buffer was last empty. */
         link->heard = link->lost = false;
         link->since_ms = link->drained_ms;
     }

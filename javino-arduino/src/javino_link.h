@@ -1,6 +1,6 @@
 /**
- * @file The board's end of a line: sessions, requests, a lost link, and commands, each carried out once and in order. javino_frame.h has
- *     rules that hold for all files.
+ * @file The board's end of a line: sessions, requests, lost links, and commands. The link delivers each command once and in order.
+ *     javino_frame.h has rules for all files.
  */
 #ifndef JAVINO_LINK_H
 #define JAVINO_LINK_H
@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/** How many bytes of version 2 the receive buffer holds while the program is busy; at most 255. */
+/** The number of version 2 bytes that the receive buffer holds while the program is busy, at most 255. */
 #ifndef JAVINO_CREDIT
 #if !defined(SERIAL_RX_BUFFER_SIZE) /* Arduino builds may set it for all files */
 #define JAVINO_CREDIT 63
@@ -25,67 +25,67 @@ extern "C" {
 /** The result of javino_link_poll. */
 enum {
     JAVINO_NOTHING, /**< No message. */
-    JAVINO_REQUEST, /**< A request for percepts. The text is empty, or names functors, as (dist,light). */
-    JAVINO_WATCH,   /**< For javino_rules.h, never returned: percepts are being compared with rules. */
+    JAVINO_REQUEST, /**< A request for percepts. The text is empty, or lists functors: (dist,light). */
+    JAVINO_WATCH,   /**< Only for javino_rules.h: percepts are being compared with rules. javino_link_poll never returns it. */
     JAVINO_ACTION,  /**< A command. The text is a literal. */
-    JAVINO_RULE     /**< A command that sets or removes rules, see javino_rules.h. A javino_board handles it, and never returns it. */
+    JAVINO_RULE     /**< A command that sets or removes rules, see javino_rules.h. javino_board_poll handles it and does not return it. */
 };
 typedef uint8_t javino_event;
 
-/** An action of a program, which the computer may call by number. The program may store more data of the action behind it in memory. */
+/** An action of a program. The computer may call it by number. The program may store more data after each javino_action. */
 typedef struct {
-    const char *name;  /**< The action's functor, at most JAVINO_NAME_MAX bytes. It must last. */
-    uint8_t arguments; /**< Number of the action's arguments, or JAVINO_ANY. */
+    const char *name;  /**< The action's functor, at most JAVINO_NAME_MAX bytes. It must stay valid. */
+    uint8_t arguments; /**< Number of arguments, or JAVINO_ANY. */
 } javino_action;
 
-/** The revision of version 2 that this library speaks, for WELCOME. */
+/** The revision of version 2 in WELCOME. */
 #define JAVINO_REVISION 1
 
-/** The most actions of a board. On the line, higher numbers mean "no command" and rules. */
+/** The most actions of a board. Higher numbers on the line mean "no command" and rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** The most bytes of an action's name that fit into a page of the vocabulary. Computers do not learn of an action with a longer name. */
+/** The longest name of an action, in bytes, that fits into a page of the vocabulary. Computers never learn longer names. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
 
-/** A command whose outcome is reported later; 0: none, as nobody waits for the outcome. */
+/** A command with a later outcome. 0: there is none. */
 typedef uint8_t javino_later;
 
 /**
- * The board's end of a line. The members are private, except that the caller may read event, text, length and session, and set actions,
- * action_size, action_count and actions_lost.
+ * The board's end of a line. The caller may read event, text, length and session, and may set actions, action_size, action_count and
+ * actions_lost. The other members are private.
  */
 typedef struct {
-    javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
-    uint8_t length;     /**< Number of bytes of the message's text. */
-    const char *text;   /**< The message's text, not terminated. It stays in place until the message is ended. */
-    const void *actions;  /**< Several javino_action, one behind the other; the last has number 0. */
-    uint8_t action_size;  /**< The distance between two actions in memory, in bytes. */
-    uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, the default: the actions have no numbers. */
+    javino_event event; /**< The present message: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
+    uint8_t length;     /**< Length of the message's text in bytes. */
+    const char *text;   /**< The message's text, not terminated. Valid until the message ends. */
+    const void *actions;  /**< An array of javino_action. The last one has number 0. */
+    uint8_t action_size;  /**< The distance between two actions in bytes. */
+    uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. By default 0: the actions have no numbers. */
     bool answered;
-    bool drained; /* true: the last poll has read all bytes */
-    bool heard;   /* true: something valid has come since the last javino_link_lost */
+    bool drained; /* whether the last poll has read all bytes */
+    bool heard;   /* whether a valid frame has come since the last javino_link_lost */
     bool lost;
-    uint8_t frames; /**< Number of intact frames that have arrived, modulo 256. May be read. */
+    uint8_t frames; /**< Number of intact frames, modulo 256. The caller may read it. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /**< The session's nonce; 0: no session, so version 1. This member and the next five are the payload of WELCOME. */
+    uint8_t session;    /**< The session's nonce; 0: no session, so version 1. The payload of WELCOME is this member and the next five. */
     uint8_t credit;
-    uint8_t longest;    /* most bytes of payload that a frame may have */
+    uint8_t longest;    /* longest payload of a frame */
     uint8_t rules_max;  /* number of rules that the board can hold */
     uint8_t revision;
 #endif
-    uint8_t actions_lost; /**< Number of the program's actions that were left out, at most 255; the computer is told. */
+    uint8_t actions_lost; /**< Number of actions that were left out, at most 255. WELCOME reports it. */
 #ifndef JAVINO_VERSION_1_ONLY
-    javino_later later; /* the newest action whose outcome is reported later */
-    uint8_t request;    /* number of the request in hand; 0: none, or answered */
-    uint8_t due;        /* number of the next command. This member and the next four are 0 when a session begins. */
+    javino_later later; /* the newest action with a later outcome */
+    uint8_t request;    /* number of the present request; 0: none, or answered */
+    uint8_t due;        /* number of the next command. A session begins with 0 in this member and the next four. */
     uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
-    uint8_t known;      /* number of shapes whose text the computer knows */
-    uint8_t shapes;     /* number of shapes that have been sent in this session */
+    uint8_t known;      /* number of shapes that the computer knows */
+    uint8_t shapes;     /* number of shapes sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the frame in hand holds commands; its length and number describe those that are left */
+    bool row;           /* the present frame holds commands; its length and number are those of the remaining commands */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
@@ -93,7 +93,10 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** True if the message in hand is of version 2 or, without one, if the next is sent so. A message of version 1 ends the session. */
+/**
+ * True if the present message is of version 2. Without a message: true if the next message goes out in version 2. A message of version 1
+ * ends the session.
+ */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)
@@ -106,70 +109,70 @@ typedef struct {
  * Prepares a link. The link speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
- * @param size     number of those bytes: JAVINO_WINDOW, or fewer if long frames may be lost
- * @param write    puts a byte on the line; of this link's functions, it may call only javino_link_receive
- * @param context  handed to write
+ * @param size     size of this memory: JAVINO_WINDOW, or less if long frames may be lost
+ * @param write    puts a byte on the line. The only function of this link that it may call is javino_link_receive
+ * @param context  passed to write
  */
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context);
 
-/** Sets the inter-byte timeout, see JAVINO_TIMEOUT_MS. It is 100 ms at first. */
+/** Sets the inter-byte timeout, see JAVINO_TIMEOUT_MS. By default 100 ms. */
 void javino_link_timeout(javino_link *link, uint16_t timeout_ms);
 
-/** @return true: javino_link_receive has room; false: leave the byte where it is, and poll */
+/** @return true if javino_link_receive has room. If not, keep the byte and poll */
 bool javino_link_ready(const javino_link *link);
 
 /** Takes one received byte. Call this only after javino_link_ready has returned true. See javino_decoder_put. */
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
- * Ends the message in hand, and looks for the next. A command in hand counts as carried out. Handles frames that do not concern the
- * program. A command that is repeated because an acknowledgement was lost is acknowledged again, but not handed out. Call this at least
- * every 20 s; javino_board_poll does so for a javino_board.
+ * Ends the present message and looks for the next. A present command counts as carried out. Handles frames that do not concern the
+ * program. Acknowledges a repeated command without returning it again. Call this at least every 20 s. javino_board_poll calls it for a
+ * javino_board.
  *
- * Before each call hand in the waiting bytes, until none is left or javino_link_ready returns false.
+ * Before each call pass in the waiting bytes, until there are none or javino_link_ready returns false.
  *
- * @param now_ms the time at which the receive buffer was last checked. An earlier time does no harm. With a later time, bytes that came in
+ * @param now_ms the time of the last check of the receive buffer. An earlier time does no harm. With a later time, bytes that came in
  *     between count as late. With any time, no command is carried out twice
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
-/** Ends the message in hand, if any. done: whether its command was carried out, which the computer is told in version 2. */
+/** Ends the present message, if there is one. done: whether its command was carried out. In version 2 the computer learns this. */
 void javino_link_finish(javino_link *link, bool done);
 
 /**
- * Ends the command in hand without an outcome; javino_link_done must follow. Until the outcome is reported, requests are answered, but no
- * other command of version 2 is carried out.
+ * Ends the present command without an outcome. javino_link_done must follow. Until then requests are answered, but no other command of
+ * version 2 is carried out.
  *
- * @return the value for javino_link_done; 0: version 1, or no command is in hand
+ * @return the value for javino_link_done; 0 in version 1, or if there is no command
  */
 javino_later javino_link_later(javino_link *link);
 
 /**
- * Reports whether a command that javino_link_later has ended was carried out. Do not call this while a frame is being written.
- * @return true: the outcome was reported; false: `later` is 0, or a new session has begun since
+ * Reports the outcome of a command that javino_link_later has ended. Do not call this while a frame is being written.
+ * @return true if the outcome was reported; false if `later` is 0, or if a new session has begun
  */
 bool javino_link_done(javino_link *link, javino_later later, bool done);
 
-/** Begins to supervise the link: from now on, javino_link_lost measures silence. */
+/** Starts to supervise the link. javino_link_lost measures silence from now on. */
 void javino_link_supervise(javino_link *link, uint32_t now_ms);
 
 /**
- * Returns true if the far end has fallen silent, so that motors should stop. Call this after every javino_link_poll. Bytes that arrived
- * while the program was busy count as arrived at the beginning of that time.
+ * Returns true if the far end has fallen silent. The program should then stop motors. Call this after every javino_link_poll. Bytes that
+ * arrived while the program was busy count as arrived at the beginning of that time.
  *
  * @param silence_ms the time without a valid frame after which the link is lost
- * @return true once; again only after something has arrived
+ * @return true once, and again only after something has arrived
  */
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
 
 #ifndef JAVINO_VERSION_2_ONLY
-/** Sends one frame of version 1. It counts as the answer to the request in hand. */
+/** Sends one frame of version 1. It counts as the answer to the present request. */
 void javino_link_send(javino_link *link, const char *text, uint8_t length);
 #endif
 
 /**
- * Begins a frame of version 2, with the number of the next command. On link->encoder, exactly `length` calls of javino_encoder_put and one
- * of javino_encoder_end must follow. `kind` must have no flags.
+ * Begins a frame of version 2, with the number of the next command. Then call javino_encoder_put exactly `length` times on link->encoder,
+ * and javino_encoder_end once. `kind` must have no flags.
  */
 void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length);
 

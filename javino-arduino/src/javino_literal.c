@@ -32,7 +32,7 @@ bool javino_outside(javino_nesting *nesting, char c)
     case ')':
     case ']':
     case '}':
-        /* Only the kinds of the innermost sixteen brackets are known. */
+        /* `kinds` covers only the innermost sixteen brackets. */
         if (n->depth == 0 || ((n->kinds & 3) != kind_of(c) && n->kinds))
             n->crossed = true;
         if (n->depth)
@@ -52,7 +52,7 @@ uint8_t javino_word(const char *text, uint8_t length)
     return n;
 }
 
-/* Returns true if an item is missing between two successive characters outside of quotes. */
+/* Returns true if an item is missing between two consecutive characters outside of quotes. */
 static bool is_empty_place(char before, char c)
 {
     bool begins = before == ',' || before == '(' || before == '[';

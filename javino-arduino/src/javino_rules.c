@@ -15,7 +15,7 @@
 /* The outcome of a reflex. */
 enum { NO_REFLEX, CARRIED_OUT, NOT_CARRIED_OUT };
 
-/* The largest percept in CRITICAL, in bytes. */
+/* The longest percept in CRITICAL, in bytes. */
 #define PERCEPT_MAX (JAVINO_MAX_PAYLOAD - 2)
 
 /* ---- Numbers ---- */
@@ -43,7 +43,7 @@ static bool is_number(const char *text, uint8_t length)
 typedef struct {
     const char *text;
     uint8_t length;
-    uint8_t whole; /* digits in front of the point, without zeros at the beginning */
+    uint8_t whole; /* digits before the point, without leading zeros */
     bool negative;
 } decimal;
 
@@ -104,7 +104,7 @@ static bool is_operator(char c, bool number)
     return c == '=' || c == '!' || (number && (c == '<' || c == '>' || c == '{' || c == '}'));
 }
 
-/* Returns the length of a word that ends with 00; 0: the word does not end. */
+/* Returns the length of a word before its 00. Returns 0 if there is no 00. */
 static uint8_t word(const char *text, const char *end)
 {
     const char *p = text;
@@ -113,7 +113,7 @@ static uint8_t word(const char *text, const char *end)
     return p < end ? (uint8_t)(p - text) : 0;
 }
 
-/* Returns the length of the first value; a second value may follow. */
+/* Returns the length of the first of one or two values. */
 static uint8_t first_value(const char *values, uint8_t length)
 {
     uint8_t n = 0;
@@ -122,7 +122,7 @@ static uint8_t first_value(const char *values, uint8_t length)
     return n;
 }
 
-/* Returns true if the text is a condition. `length`: bytes of its values. */
+/* Returns true if the text is a condition. `length`: length of its values in bytes. */
 static bool is_condition(const char *text, uint8_t length)
 {
     const char *values = text + 2;
@@ -150,7 +150,10 @@ static bool is_rule(const char *text, const char *end)
     return text == end || text + 1 < end;
 }
 
-/* Returns true if an argument meets a condition with `length` bytes of values. If `met`, the rule was met, so a second value counts. */
+/*
+ * Returns true if an argument matches a condition with `length` bytes of values. If `met`, the rule matched before, so a second value is
+ * used.
+ */
 static bool holds(const char *condition, uint8_t length, bool met, const char *text, uint8_t text_length)
 {
     char how = condition[1];
@@ -160,7 +163,7 @@ static bool holds(const char *condition, uint8_t length, bool met, const char *t
     uint8_t n = javino_argument(text, text_length, (uint8_t)(*condition - '1'), &argument);
     bool number = n && is_number(argument, n);
     int8_t order;
-    decimal a, b; /* not passed by value, which sdcc cannot do with structs */
+    decimal a, b; /* sdcc cannot pass structs by value */
     if (met && first < length) {
         value += first + 1;
         length -= first + 1;
@@ -186,8 +189,8 @@ static bool holds(const char *condition, uint8_t length, bool met, const char *t
     }
 }
 
-/* Returns true if a percept meets a rule; `met` tells whether the rule was met at the last look. Sets reflex to the beginning of the rule's
- * reflex, or to the rule's end. */
+/* Returns true if a percept matches a rule. `met` tells whether the rule matched at the last look. Sets reflex to the beginning of the
+ * rule's reflex, or to the rule's end. */
 static bool meets(const char *rule, const char *end, bool met, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -204,14 +207,14 @@ static bool meets(const char *rule, const char *end, bool met, const char *text,
 
 /* ---- All rules ---- */
 
-/* Removes a bit: lower bits stay, higher bits move down. */
+/* Removes a bit. Lower bits stay, higher bits move down. */
 static uint8_t without_bit(uint8_t bits, uint8_t bit)
 {
     uint8_t below = bits & (uint8_t)(bit - 1);
     return below | ((bits >> 1) & (uint8_t)~(bit - 1));
 }
 
-/* Returns the index of the rule with this number; if there is none, the end of all rules. Sets bit to the rule's bit in met. */
+/* Returns the index of the rule with this number, or the end of all rules. Sets `bit` to the rule's bit in `met`. */
 static uint16_t place_of(const struct javino_rules *r, uint8_t number, uint8_t *bit)
 {
     uint16_t at = 0;
@@ -225,7 +228,7 @@ static void forget(struct javino_rules *r)
     r->used = r->met = 0;
 }
 
-/* Sets or removes rules by the command in hand. Returns false if it is malformed, or there is no room. */
+/* Sets or removes rules according to the present command. Returns false if the command is malformed, or if there is no room. */
 static bool set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
@@ -234,10 +237,10 @@ static bool set(javino_board *board)
     uint8_t length = l->length;
     uint8_t number = (uint8_t)*text;
     uint16_t at;
-    uint16_t before; /* bytes of the replaced rule */
+    uint16_t before; /* length of the replaced rule in bytes */
     uint8_t bit;
     if (l->rules == 0)
-        forget(r); /* A session has begun since the last command. */
+        forget(r); /* a session has begun since the last command */
     if (number == 0 && length == 1) {
         l->rules = 0;
         forget(r);
@@ -280,7 +283,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. Percepts that the program writes meanwhile wait like unasked percepts. */
+/* Carries a reflex out. Percepts that the program writes meanwhile wait as unasked percepts. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -304,7 +307,7 @@ static void report(javino_board *b, uint8_t number, uint8_t outcome, const char 
     javino_encoder_finish(e, text, length);
 }
 
-/* Compares the newest percept, which is behind the whole percepts, with all rules. */
+/* Compares the newest percept with all rules. It is stored after the whole percepts. */
 static void watch(javino_board *b)
 {
     struct javino_rules *r = b->rules;
@@ -314,7 +317,7 @@ static void watch(javino_board *b)
     uint8_t bit;
     if (end - begin - JAVINO_ITEM_HEADER > PERCEPT_MAX)
         return;
-    b->whole = end; /* The percept stays in place until it has been compared. */
+    b->whole = end; /* The percept must stay in place during the comparison. */
     for (bit = 1; at < r->used; at += r->texts[at] + 1u, bit = (uint8_t)(bit << 1)) {
         const char *rule = (const char *)r->texts + at + 1;
         const char *rule_end = rule + r->texts[at];
@@ -360,7 +363,7 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers in parts ---- */
 
-/* Sends the next part of an answer. The answered request is not the message in hand, but an earlier one. */
+/* Sends the next part of an answer. The answer belongs to an earlier request than the present message. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -378,8 +381,8 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
-/* Divides the rest of the memory. Until the answer's last part has left, frames arrive before the answer, and percepts are compared after
- * it. */
+/* Divides the rest of the memory until the last part of the answer has gone out. The space before the answer is for frames. The space
+ * after it is for percepts to compare. */
 static void make_room(javino_board *b)
 {
     uint16_t left = b->memory - b->length;
@@ -391,7 +394,7 @@ static void make_room(javino_board *b)
     javino_board_place(b, place < arrived ? arrived : place);
 }
 
-/* Returns true if the answer goes out in parts from now on, or if the percepts are unasked and join such an answer. */
+/* Returns true if the answer now goes out in parts, or if unasked percepts join such an answer. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -405,8 +408,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* Sends the next part of the answer, if `where` is JAVINO_RULES_GO_ON and the line is free. With any other `where`, sends all remaining
- * parts. Returns false if no answer is being sent. */
+/* If `where` is JAVINO_RULES_GO_ON, sends the next part of the answer if the line is free. With any other `where`, sends all remaining
+ * parts. Returns false if no answer is going out. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;
@@ -436,7 +439,7 @@ static bool take_part(javino_board *b, uint8_t where)
     case JAVINO_RULES_ANSWER: return answer(b);
     case JAVINO_RULES_END:
         go_on(b, where);
-        /* Is there memory behind the new answer, in which percepts can be compared? */
+        /* true if percepts can be compared in the memory after the new answer */
         return b->link.rules && b->memory - b->link.decoder.end >= 2 * JAVINO_TEXT_MIN;
     default: return go_on(b, where);
     }
@@ -448,7 +451,7 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
     uint8_t *memory;
     bytes -= bytes % ALIGNMENT;
-    memory = javino_board_take_front(board, bytes); /* At the front, since the program's actions are at the end, without a gap. */
+    memory = javino_board_take_front(board, bytes); /* At the front, because the program's actions are at the end, without a gap. */
     if (!memory)
         return false;
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);

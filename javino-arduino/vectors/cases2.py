@@ -1,4 +1,4 @@
-"""The cases of javino2-vectors.json: the inputs are written here, and the reference computes the outputs."""
+"""The cases of javino2-vectors.json. This file has the inputs. The reference computes the outputs."""
 from javino2 import commands, parts, rules, vocabulary
 from javino2.device import Device
 from javino2.frames import FROM_BOARD, TO_BOARD, Frame, Receiver, encode
@@ -55,7 +55,7 @@ def frames():
              "frameHex": encode(frame, nonce).hex()}
 
     def found(name, start, condition):
-        """Returns the first case of a row that has the wanted checksum."""
+        """Returns the first of the cases whose checksum meets the condition."""
         return next(c for c in start if condition(c["frameHex"])) | {"name": name}
 
     def acks():
@@ -279,7 +279,7 @@ def percepts():
         return {"name": name, "shapes": shapes, "answers": shown}
 
     def two(name, *texts, known=None, shapes=MAX_SHAPES):
-        """Sends the same texts twice: at first the computer knows no text, then as many texts as possible."""
+        """Sends the texts twice. At first the computer knows no text, then as many texts as possible."""
         distinct = Writer(shapes)
         distinct.write(list(texts), 0)
         return case(name, (0, list(texts)), (len(distinct.ids) if known is None else known, list(texts)), shapes=shapes)
@@ -505,7 +505,7 @@ def converse(name, has, *steps):
         for frame in map(read_frame, step.get("to", [])):
             if frame.kind == HELLO_KIND:
                 nonce = frame.number
-            # Frames of another session count as damaged, and are passed over.
+            # Frames of another session count as damaged and are ignored.
             if frame.kind == HELLO_KIND or board.session in (0, step.get("nonce", nonce)):
                 out += board.receive(frame)
         if "report" in step:

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Checks the vectors of both versions of the protocol against the reference.
-
-    reference.py            say what differs
-    reference.py --write    write javino2-vectors.json anew
-
+ reference.py            report differences
+ reference.py --write    write javino2-vectors.json
 The reference is written from docs/protocol.md, as plainly as possible: version1.py for version 1, and javino2/ for version 2. It is a
 second opinion on the vectors, the C core and the Java link. The vectors of version 1 are written by hand. The reference computes the
 vectors of version 2 from the inputs in cases2.py.
@@ -20,7 +18,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def check1(vectors):
-    """Returns one text for each disagreement with the vectors of version 1."""
+    """Returns a text for each disagreement with the vectors of version 1."""
     wrong = []
 
     def expect(name, what, found, expected):
@@ -44,7 +42,7 @@ def check1(vectors):
 
 
 def check2(vectors):
-    """Returns one text for each disagreement with the vectors of version 2."""
+    """Returns a text for each disagreement with the vectors of version 2."""
     made, wrong = cases2.vectors(), []
     for group in made.keys() | vectors.keys():
         expected, found = vectors.get(group, []), made.get(group, [])
@@ -55,7 +53,7 @@ def check2(vectors):
 
 
 def compact(vectors):
-    """Returns the vectors as JSON, a case on each line."""
+    """Returns the vectors as JSON, one case a line."""
     groups = []
     for name, cases in vectors.items():
         groups.append(f"  {json.dumps(name)}: [\n" + ",\n".join("    " + json.dumps(c) for c in cases) + "\n  ]")

@@ -1,4 +1,4 @@
-"""Version 1 of the protocol. The caller passes in times, which are in milliseconds."""
+"""Version 1 of the protocol. Times are in milliseconds."""
 
 PREAMBLE = b"fffe"
 HEX = b"0123456789abcdefABCDEF"
@@ -9,11 +9,10 @@ def frame(payload):
 
 
 class Decoder:
-    """A receiver by the protocol's rules.
-
-    `other` is the byte that begins frames of version 2, or None if only version 1 uses the line. If `anywhere`, a frame may begin at any
-    byte. Otherwise a frame may begin only behind a silence, which sets `quiet`. Messages go to `deliver`; without it they are kept in
-    `messages`.
+    """A receiver of version 1.
+    `other` is the byte that begins frames of version 2, or None if only version 1 uses the line. If `anywhere` is true, a frame may
+    begin at any byte. Otherwise a frame may begin only after a silence, which sets `quiet`. Messages go to `deliver`. Without it,
+    `messages` keeps them.
     """
 
     def __init__(self, timeout=100, other=None, deliver=None):
@@ -21,7 +20,7 @@ class Decoder:
         self.other = other
         self.anywhere = self.quiet = True
         self.window = b""
-        self.delivered = 0  # how many bytes at the window's start are a delivered frame
+        self.delivered = 0  # length of the delivered frame at the window's start
         self.last = 0
         self.messages = []
         self.deliver = self.messages.append if deliver is None else deliver
@@ -46,7 +45,7 @@ class Decoder:
         return self._parse()
 
     def give_up(self):
-        """Handles silence. Drops a delivered frame, or reads an incomplete frame again from its second byte. Returns bytes as put does."""
+        """Handles silence. Drops a delivered frame, or reads an incomplete frame again from its second byte. Returns bytes like put."""
         following = self.window[self.delivered:]
         if self.delivered and (not following or self._header(following) == "yes"):
             self._drop(self.delivered)
@@ -98,7 +97,7 @@ class Decoder:
 
     @staticmethod
     def _header(data):
-        """Tells if data begins with a preamble and two hex digits: yes, no, or maybe if there are too few bytes to know."""
+        """Tells whether data begins with a preamble and two hex digits: yes, no, or maybe if there are too few bytes."""
         if not PREAMBLE.startswith(data[:4]) or any(c not in HEX for c in data[4:6]):
             return "no"
         return "yes" if len(data) >= 6 else "maybe"

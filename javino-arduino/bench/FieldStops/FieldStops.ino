@@ -1,4 +1,4 @@
-// The robot whose stops are measured, with the field's version 1 library. The percepts, actions and pins are those of the sketch Stops.
+// The robot of the stop measurements, with the original version 1 library. Its percepts, actions and pins are those of the sketch Stops.
 // Compiled with BAUD and LOOP_MS.
 #include "field.h"
 

@@ -1,4 +1,4 @@
-// The robot whose stops are measured: twelve sensors that all change, on this library. Compiled with BAUD and LOOP_MS.
+// The robot of the stop measurements, with this library. The values of its twelve sensors all change. Compiled with BAUD and LOOP_MS.
 //   percepts  dist(Side,Mm)  light(Side,Percent)  temp(Side,Celsius)   Side is f, b, r or l
 //   actions   front  stop  ledLightOn  ledLightOff  ledTempOn  ledTempOff
 //   A0        the distance in front, 1 mV for a millimetre

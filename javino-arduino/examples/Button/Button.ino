@@ -1,4 +1,4 @@
-// A button: the board sends a percept by itself when the button is pressed.
+// A button: when it is pressed, the board sends a percept without a request.
 //
 //   wiring    a button from pin 3 to GND; the LED of the board
 //   actions   ledOn, ledOff
@@ -7,8 +7,9 @@
 //             +!start <- argo.port(ttyACM0, [mode(listen)]); argo.percepts(open).
 //             +pressed(N) <- .print("pressed ", N, " times"); argo.act(ledOn).
 //
-// With mode(listen) the computer asks for nothing. Without it the agent asks too, and still perceives each press. A percept is lost if no
-// computer listens. To keep it, write it in look(), like the number of presses here.
+// With mode(listen) the computer sends no requests. Without mode(listen) the agent also requests percepts, and still perceives each
+// press. If no computer listens, a percept is lost. This sketch keeps the number of presses in look(), so the agent can still learn of
+// lost presses.
 
 #include <Javino.h>
 

@@ -1,6 +1,6 @@
 // A greenhouse: three slow sensors, a pump and a vent.
 //
-//   percepts  temp(Celsius)  soil(Percent)  light(Level)   Level is 0 to 1023, more where it is brighter
+//   percepts  temp(Celsius)  soil(Percent)  light(Level)   Level is 0 (dark) to 1023 (bright)
 //             state(pump,on) or state(pump,off)  state(vent,open) or state(vent,closed)
 //   actions   set(pump,on)  set(pump,off)  set(vent,open)  set(vent,closed)
 //   agent     !start.
@@ -8,13 +8,13 @@
 //             +soil(P) : P < 30 & state(pump,off) <- argo.act(set(pump,on)).
 //             +soil(P) : P > 45 & state(pump,on) <- argo.act(set(pump,off)).
 //
-// The agent of the sample samples/greenhouse also airs, rests at night, switches nothing too often and obeys a person.
+// The agent in samples/greenhouse also airs, rests at night, limits how often it switches, and obeys a person.
 //
-// The pump stops by itself after three minutes of silence from the computer, since too much water is worse than too little.
+// The pump stops after three minutes without a message from the computer, because too much water is worse than too little.
 //
 // Wiring for an Uno:
 //   A0     an LM35: 10 mV a degree
-//   A1     a capacitive soil sensor, with less voltage where it is wetter: 3.0 V in dry earth, 1.5 V in wet
+//   A1     a capacitive soil sensor: 3.0 V in dry earth, 1.5 V in wet earth
 //   A2     a photoresistor to 5 V and 10 kilohms to ground
 //   7, 8   relays of the pump and of the vent's motor
 
@@ -58,7 +58,7 @@ void look() {
   javino.percept("state", "vent", isOn(VENT) ? "open" : "closed");
 }
 
-// Switches a device to one of its two states; false: it has no such state.
+// Switches a device to one of its two states. Returns false for any other state.
 bool turn(uint8_t pin, const JavinoArguments &arguments, const char *high, const char *low) {
   if (!arguments.is(1, high) && !arguments.is(1, low))
     return false;

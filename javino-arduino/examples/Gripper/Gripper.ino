@@ -1,5 +1,5 @@
-// A gripper that takes a while to close, while the board goes on. The agent's argo.act(close) returns when the gripper has closed, or fails
-// if nothing is between its fingers.
+// A gripper that closes slowly while the board continues to work. The agent's argo.act(close) returns when the gripper has closed. If
+// nothing is between the fingers, argo.act(close) fails.
 //
 //   actions   open, close
 //   percepts  gripper(open), gripper(closing) or gripper(closed)
@@ -8,12 +8,12 @@
 //             +!take <- argo.act(close); .print("I have it").
 //             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
-// Other actions wait for the outcome. So if another action must be able to stop this action, report this one as carried out when it begins.
+// Other actions wait for the outcome of an action with later(). An action that another action must be able to stop must not call later().
 
 #include <Javino.h>
 
 const uint8_t MOTOR = 5;
-const uint8_t FINGERS = 7;  // high while something is between the fingers
+const uint8_t FINGERS = 7;  // high while an object is between the fingers
 const unsigned long CLOSING_MS = 800;
 
 Javino javino;

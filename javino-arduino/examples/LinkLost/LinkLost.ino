@@ -1,8 +1,8 @@
-// A motor that stops without its computer: after 300 ms without a valid message.
+// A motor that stops after 300 ms without a valid message from the computer.
 //
-// Only run() notices the silence, so if loop() hangs, the motor goes on. A watchdog prevents that. On AVR #include <avr/wdt.h>, call
-// wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). A board that has hung for half a second is restarted, its motors off.
-// (Boot loaders of some older Megas and Nanos do not survive that.)
+// Only run() notices the silence. If loop() hangs, the motor continues to run. A watchdog prevents this. On AVR #include <avr/wdt.h>,
+// call wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). The watchdog restarts a board that has hung for half a second, with
+// its motors off. (The boot loaders of some older Megas and Nanos cannot handle such a restart.)
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), stopped(linkLost) once after the link was lost
@@ -40,7 +40,7 @@ void look() {
   javino.describe(F("motor(0..255)"));
   javino.describe(F("stopped(linkLost)"));
   javino.percept("motor", power);
-  // A request for other percepts, or for the description, must not clear the flag.
+  // Only a request for this percept clears the flag.
   if (wasLost && javino.wants("stopped")) {
     javino.percept("stopped", "linkLost");
     wasLost = false;

@@ -1,6 +1,6 @@
-// A robot with four driven wheels and, on each of its four sides, a distance, a light and a temperature sensor.
+// A robot with four driven wheels. Each of its four sides has a distance, a light and a temperature sensor.
 //
-//   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023, more where it is darker
+//   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 (bright) to 1023 (dark)
 //   actions   front  back  left  right  stop  speed(0..255)
 //             ledLightOn  ledLightOff  ledTempOn  ledTempOff
 //   agent     !start.
@@ -8,12 +8,12 @@
 //             +dist(f,Cm) : Cm < 40 <- argo.act(stop).
 //             +light(f,Level) : Level > 100 <- argo.act(ledLightOn).
 //
-// The robot stops by itself after a second of silence from the computer. The board watches critical rules that the computer sets, such as
-// "stop when dist(f,_) is less than 40".
+// The robot stops after a second without a message from the computer. The board watches critical rules from the computer, such as "stop
+// when dist(f,_) is less than 40".
 //
 // Wiring for an Uno:
 //   A0-A3   analogue outputs of four LV-MaxSonar-EZ: Vcc/512 an inch, which is half an inch a step
-//   A4, A5  the two common pins of a 74HC4052, which picks one side's light sensor (A4) and LM35 (A5);
+//   A4, A5  the two common pins of a 74HC4052, which selects one side's light sensor (A4) and LM35 (A5);
 //           its select pins are 2 and 4; a light sensor is a photoresistor to ground and 10 kilohms to 5 V
 //   5, 6    speed of the left and the right wheels (PWM); 7, 8 and 9, 10: their directions (L298N)
 //   11, 12  the LEDs
@@ -85,7 +85,7 @@ void look() {
   javino.describe(F("dist(f|b|r|l, cm 0..650)"));
   javino.describe(F("light(f|b|r|l, 0..1023)"));
   javino.describe(F("temp(f|b|r|l, C 0..150)"));
-  // A sensor that the request does not name is not read.
+  // Sensors that the request does not name are not read.
   bool light = javino.wants("light");
   bool temperature = javino.wants("temp");
   for (uint8_t side = 0; side < 4; side++) {

@@ -1,14 +1,14 @@
-// The agent on a second serial port. The first port has the serial monitor, which shows the commands that the board carries out.
+// A board whose agent uses a second serial port. The serial monitor on the first port shows the commands that the board carries out.
 //
-//   wiring    the far end's TX to the board's RX1 (Mega: 19, Leonardo: 0), its RX to TX1 (Mega: 18, Leonardo: 1), GND to GND. A far end
-//             of 3.3 V takes no 5 V: two resistors divide TX1's voltage
+//   wiring    the far end's TX to the board's RX1 (Mega: 19, Leonardo: 0), its RX to TX1 (Mega: 18, Leonardo: 1), GND to GND. For a far
+//             end of 3.3 V, two resistors divide TX1's 5 V
 //   actions   speed(0..255)
 //   percepts  motor(Speed)
 //   agent     !start.
 //             +!start <- argo.port(serial0, [baud(115200)]); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// For Mega, Leonardo, ESP32, Pico and others with a Serial1. On a Uno or an ESP8266 no Serial1 receives: see SoftwareLine.
+// For Mega, Leonardo, ESP32, Pico and others with a Serial1. On a Uno or an ESP8266 Serial1 cannot receive: see SoftwareLine.
 
 #include <Javino.h>
 
@@ -18,7 +18,7 @@ const unsigned long SILENCE_MS = 1000;
 Javino javino(Serial1);
 uint8_t power = 0;
 
-// Prints only text for which there is room at once, so a slow or closed monitor does not hold the robot up.
+// Drops text that the monitor's buffer cannot take at once, so a slow or closed monitor does not delay the robot.
 void print(const char *what, long value) {
   if (Serial.availableForWrite() < 24)
     return;

@@ -1,16 +1,16 @@
-// An arm on a servo that moves at its own pace while the board goes on. The agent may give it a new angle at any time.
+// An arm on a servo that moves slowly while the board continues to work. The agent may set a new angle at any time.
 //
-//   wiring    the servo's signal to pin 9; its power from a supply of its own, whose GND is connected to the board's: a servo takes more
-//             than USB gives, and the board would restart
+//   wiring    the servo's signal to pin 9; its power from a separate supply, because USB gives too little and the board would restart;
+//             GND of the supply to GND of the board
 //   actions   angle(0..180), hold
-//   percepts  angle(Degrees), moving while it has not arrived
+//   percepts  angle(Degrees), moving until the arm reaches the angle
 //   agent     !start.
 //             +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(angle(120)).
 //             -moving : angle(120) <- argo.act(angle(60)).
 //             -moving : angle(60) <- argo.act(angle(120)).
 //
-// After a second without a message from the computer, the arm stays where it is. The Arduino IDE has the library Servo; for an ESP32
-// install ESP32Servo.
+// After a second without a message from the computer, the arm stops where it is. The library Servo is part of the Arduino IDE. For an
+// ESP32 install ESP32Servo.
 
 #include <Javino.h>
 

@@ -1,8 +1,7 @@
-// An Uno has one serial port. This sketch shows the events on that port, in the serial monitor. The agent's line is on two other pins, for
-// a Bluetooth module HC-05 or a Raspberry Pi.
+// An agent's line on two pins of an Uno, for a Bluetooth module HC-05 or a Raspberry Pi. The Uno's only serial port serves the serial
+// monitor, which shows events.
 //
-//   wiring    the far end's TX to pin 10, its RX to pin 11, GND to GND. A far end of 3.3 V takes no 5 V:
-//             two resistors divide pin 11's voltage
+//   wiring    the far end's TX to pin 10, its RX to pin 11, GND to GND. For a far end of 3.3 V, two resistors divide pin 11's 5 V
 //   actions   ledOn, ledOff
 //   percepts  led(on) or led(off)
 //   agent     !start.
@@ -10,14 +9,14 @@
 //             +led(off) <- argo.act(ledOn).
 //             +led(on) <- argo.act(ledOff).
 //
-// SoftwareSerial hears nothing while it sends. So keep answers short, and use 9600 baud or less; in version 2 the computer repeats lost
-// commands and requests. For AVR and ESP8266; boards with more ports do not need it, see SecondPort. On a Mega receive on one of the pins
-// 10-15, 50-53, A8-A15.
+// SoftwareSerial cannot receive while it sends. Keep answers short, and use 9600 baud or less. In version 2 the computer repeats lost
+// commands and requests. For AVR and ESP8266. Boards with more ports can use SecondPort. On a Mega receive on one of the pins 10-15,
+// 50-53, A8-A15.
 
 #include <Javino.h>
 #include <SoftwareSerial.h>
 
-SoftwareSerial line(10, 11);  // receives, sends
+SoftwareSerial line(10, 11);  // receive pin, send pin
 Javino javino(line);
 
 void setLed(bool on) {

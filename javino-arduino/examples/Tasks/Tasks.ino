@@ -1,5 +1,5 @@
-// Two tasks of FreeRTOS, which is in the ESP32's core. One controls the robot every 10 ms, independent of the line. Only the other uses the
-// line and calls the library. Commands go to the robot's task through a queue, and readings come back through a second queue. Each queue
+// Two tasks of FreeRTOS, which is part of the ESP32's core. The robot's task controls the motor every 10 ms, independent of the line.
+// Only the line's task calls the library. One queue carries commands to the robot's task, and another carries readings back. Each queue
 // holds only the newest item.
 //
 //   wiring    a motor's driver at pin 25, a distance sensor with an analogue output at pin 34
@@ -9,8 +9,8 @@
 //             +!start <- argo.port(ttyUSB0, [baud(115200)]); argo.percepts(open); argo.act(speed(120)).
 //             +dist(D) : D > 3000 <- argo.act(stop).
 //
-// The motor stops after a second of silence from the computer. It also stops if the line's task hangs for half a second: the robot's task
-// then gets no sign of life.
+// The motor stops after a second without a message from the computer. The robot's task also stops the motor if the line's task has not
+// updated `alive` for half a second.
 
 #include <Javino.h>
 
@@ -28,7 +28,7 @@ struct Reading {
 
 QueueHandle_t commands;  // holds a uint8_t: the motor's power
 QueueHandle_t readings;  // holds a Reading
-volatile uint32_t alive; // when the line's task last gave a sign of life, ms
+volatile uint32_t alive; // time in ms at which the line's task last ran
 
 // ---- the robot's task ----
 
@@ -72,7 +72,7 @@ void look() {
   javino.describe(F("motor(0..255)"));
   Reading reading;
   if (!xQueuePeek(readings, &reading, 0))
-    return;  // nothing has been measured yet
+    return;  // no measurement yet
   javino.percept("dist", reading.dist);
   javino.percept("motor", reading.motor);
 }

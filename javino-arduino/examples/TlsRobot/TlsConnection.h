@@ -1,5 +1,5 @@
-// The board's end of TLS on a WiFiClient, by mbedTLS, which is in the ESP32's core. The core's own TLS is only for clients
-// (WiFiClientSecure). The cores of the ESP8266 and the Pico W have a WiFiServerSecure, and need none of this.
+// The board's end of TLS on a WiFiClient. Uses mbedTLS, which is part of the ESP32's core. The core's own WiFiClientSecure supports only
+// clients. The cores of the ESP8266 and the Pico W have a WiFiServerSecure, so they do not need this file.
 
 #ifndef TLS_CONNECTION_H
 #define TLS_CONNECTION_H
@@ -13,10 +13,10 @@
 #include <mbedtls/version.h>
 #include <mbedtls/x509_crt.h>
 
-// The identity of the board, and of the computer that may use it.
+// The board's certificate and key, and the certificate of the permitted computer.
 class TlsIdentity {
 public:
-  // Takes the board's certificate and key, and the only certificate that a computer may have, all in PEM. Returns 0, or mbedTLS' error.
+  // Takes the board's certificate and key, and the only permitted computer's certificate, all in PEM. Returns 0, or mbedTLS' error.
   int begin(const char *board, const char *key, const char *computer) {
     mbedtls_x509_crt_init(&board_);
     mbedtls_x509_crt_init(&computer_);
@@ -62,12 +62,12 @@ private:
   mbedtls_ssl_config configuration_;
 };
 
-// A connection: first a handshake, in steps that do not wait for the far end; then a stream.
+// A stream over TLS. The handshake comes first, in steps that do not wait for the far end.
 class TlsConnection : public Stream {
 public:
   TlsConnection() : state_(CLOSED), at_(0), length_(0) {}
 
-  // Begins the handshake on a new connection, which replaces the old one.
+  // Begins the handshake on a new connection. Closes the old connection.
   void accept(const WiFiClient &client, const TlsIdentity &identity) {
     close();
     client_ = client;
@@ -82,7 +82,7 @@ public:
     mbedtls_ssl_set_bio(&tls_, this, send, receive, NULL);
   }
 
-  // Goes on with the handshake. Returns true once, at the moment when the far end has proved its identity.
+  // Continues the handshake. Returns true once, when the far end has proved its identity.
   bool hasOpened() {
     if (state_ != SHAKING)
       return false;
@@ -124,7 +124,7 @@ public:
     while (state_ == OPEN && written < n) {
       int result = mbedtls_ssl_write(&tls_, bytes + written, n - written);
       if (result <= 0)
-        close();  // does not wait for a far end that takes no more bytes
+        close();  // a far end that takes no more bytes must not block the board
       else
         written += static_cast<size_t>(result);
     }

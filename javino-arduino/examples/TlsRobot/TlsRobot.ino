@@ -1,5 +1,5 @@
-// A motor on WiFi that only its owner can use, for an ESP32. The line is encrypted, and the board proves its identity. The board knows one
-// certificate; a computer has to prove that it has that certificate's key. Set the network below and make certificates.h.
+// A motor on WiFi that only its owner can use, for an ESP32. The line is encrypted, and the board proves its identity. The board permits
+// one certificate. A computer must prove that it has the key of this certificate. Set the network below and make certificates.h.
 //
 //   wiring    a motor's driver at pin 4
 //   actions   speed(0..255)
@@ -8,9 +8,9 @@
 //             +!start <- argo.port("tls://192.168.1.20:4433"); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// When a new connection has proved its identity, it replaces the connection in use; otherwise it is refused. A stranger who connects again
-// and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second without a message
-// from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
+// A new connection that has proved its identity replaces the connection in use. Any other new connection is refused. An attacker who
+// connects repeatedly keeps loop() busy with handshakes, and blocks new connections of the owner. The motor stops after a second without
+// a message from the computer. The board has no clock, so it ignores the dates of certificates. WiFiRobot is this robot without TLS.
 
 #include <JavinoNetwork.h>
 #include <WiFi.h>
@@ -27,7 +27,7 @@ const unsigned long RETRY_MS = 15000;
 
 WiFiServer server(PORT);
 TlsIdentity identity;
-TlsConnection connections[2];  // the connection in use, and a new one that has to prove its identity
+TlsConnection connections[2];  // the connection in use, and a new connection in its handshake
 uint8_t inUse = 0;
 JavinoNetwork javino;
 uint8_t power = 0;

@@ -1,7 +1,7 @@
-// One board, two computers: an agent on USB drives, and a second agent on another port watches and may stop the motor. Each port has its
-// own Javino object, with its actions and percepts.
+// One board, two computers: an agent on USB drives the motor, and an agent on a second port watches and may stop it. Each port has its
+// own Javino object, with its own actions and percepts.
 //
-//   wiring    a motor's driver at pin 5, a sensor at A0; the second computer at Serial1, on boards without one at the pins 10
+//   wiring    a motor's driver at pin 5, a sensor at A0; the second computer at Serial1. On boards without Serial1: at the pins 10
 //             (receives) and 11 (sends)
 //   actions   first port: speed(0..255), stop; second port: stop
 //   percepts  first port: motor(Speed); second port: motor(Speed), light(0..1023)
@@ -11,7 +11,7 @@
 //             +!start <- argo.port(ttyUSB0); argo.percepts(open).
 //             +light(L) : L < 100 <- argo.act(stop).
 //
-// The motor stops after a second of silence from the first computer; the second computer may come and go.
+// The motor stops after a second without a message from the first computer. The second computer may come and go.
 
 #include <Javino.h>
 

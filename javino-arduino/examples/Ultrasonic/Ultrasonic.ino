@@ -1,10 +1,10 @@
-// The distance from an HC-SR04, without a wait for the echo: an interrupt times the pulse while loop() goes on. pulseIn() would hold loop()
-// up during the pulse, for 38 ms if nothing is in sight.
+// The distance from an HC-SR04. An interrupt times the echo's pulse, so loop() does not wait. pulseIn() would block loop() during the
+// pulse: for 38 ms if nothing is in sight.
 //
-//   wiring    Trig to pin 7; Echo to pin 2, which has an interrupt (on an Uno 2 and 3 do); VCC to 5 V; GND. A board of 3.3 V takes no 5 V:
-//             two resistors divide Echo's voltage.
+//   wiring    Trig to pin 7; Echo to pin 2, which has an interrupt (on an Uno 2 and 3 do); VCC to 5 V; GND. For a board of 3.3 V, two
+//             resistors divide Echo's 5 V.
 //   actions   none
-//   percepts  dist(Cm); clear where nothing is in sight; silent(sonar) where no sensor answers
+//   percepts  dist(Cm); clear if nothing is in sight; silent(sonar) if no sensor answers
 //   agent     !start.
 //             +!start <- argo.port(ttyACM0); argo.percepts(open).
 //             +dist(Cm) : Cm < 40 <- .print("something is ", Cm, " cm in front of me").
@@ -19,8 +19,8 @@
 
 const uint8_t TRIGGER = 7;
 const uint8_t ECHO_PIN = 2;
-const unsigned long PERIOD_MS = 60;  // the sound of a measurement dies away before the next one
-const unsigned long US_PER_METRE = 5830;  // factor for the way there and back, in air of 20 degrees
+const unsigned long PERIOD_MS = 60;  // the sound of a measurement fades before the next one
+const unsigned long US_PER_METRE = 5830;  // sound travels to the object and back, in air of 20 degrees
 const unsigned long MAX_CM = 400;
 
 Javino javino;
@@ -52,7 +52,7 @@ void judge() {
   lasted = 0;
   interrupts();
   cm = (us * 100 + US_PER_METRE / 2) / US_PER_METRE;
-  if (goesOn || cm > MAX_CM)  // some sensors have pulses of 200 ms if nothing is in sight
+  if (goesOn || cm > MAX_CM)  // without an object, some sensors send pulses of 200 ms
     sight = CLEAR;
   else
     sight = us ? SEEN : SILENT;

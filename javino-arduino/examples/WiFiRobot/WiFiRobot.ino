@@ -1,5 +1,5 @@
-// A motor on WiFi, for an ESP32, an ESP8266 or a Raspberry Pi Pico W (core of E. F. Philhower). Set the network's name and password below,
-// read the board's address on the serial monitor, and let the agent call argo.port("tcp://192.168.1.20:4000").
+// A motor on WiFi, for an ESP32, an ESP8266 or a Raspberry Pi Pico W (core of E. F. Philhower). Set the network's name and password
+// below, read the board's address on the serial monitor, and let the agent call argo.port("tcp://192.168.1.20:4000").
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), signal(Decibels)
@@ -7,9 +7,9 @@
 //             +!start <- argo.port("tcp://192.168.1.20:4000"); argo.percepts(open); argo.act(speed(120)).
 //             +signal(DB) : DB < -80 <- argo.act(speed(0)).
 //
-// The motor stops after a second without a message, whether the computer, the network or the router has failed. A new connection replaces
-// the old one, so a computer whose connection was cut comes back. Anybody on the network can connect: Javino has no passwords, so use a
-// network of your own, or TlsRobot.
+// The motor stops after a second without a message. The computer, the network or the router may have failed. A new connection replaces
+// the old one, so a computer can reconnect at any time. Javino has no passwords, so anybody on the network can connect. Use a private
+// network, or TlsRobot.
 
 #include <JavinoNetwork.h>
 
@@ -62,7 +62,7 @@ void joinNetwork() {
   WiFi.begin(NETWORK, PASSWORD);
 }
 
-// Looks after the network without a wait, so the motor stops in time.
+// Watches the network without waiting, so the motor stops in time.
 void watchNetwork() {
   bool connected = WiFi.status() == WL_CONNECTED;
   if (connected && !onNetwork) {

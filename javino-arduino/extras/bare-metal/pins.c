@@ -15,7 +15,7 @@ static struct {
     bool watched;
 } pins[PIN_COUNT];
 
-/* The analogue inputs. An input may be behind a multiplexer, which has several channels. */
+/* The analogue inputs. A multiplexer gives an input several channels. */
 static struct {
     uint16_t millivolts[CHANNELS];
     uint8_t selects[SELECTS];
@@ -42,7 +42,7 @@ static void print_number(uint32_t number)
     print(p);
 }
 
-/* Reads a number and moves behind it. Returns false if no number is there. */
+/* Reads a number and moves the pointer after it. Returns false if there is no number. */
 static bool read_number(const char **text, uint16_t *number)
 {
     const char *begin = *text;

@@ -1,11 +1,10 @@
 /**
- * @file A robot without Arduino: examples/Robot4WD without its lamps, written in C on the core. It runs on every machine that has a
- * machine.c.
+ * @file examples/Robot4WD without Arduino and without lamps, in C on the core. It runs on every machine that has a machine.c.
  *
  *   actions   front  back  left  right  stop  speed(0..255)
  *   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023
  *
- * The robot stops by itself when the computer has been silent for a second. It watches critical rules that the computer sets.
+ * The robot stops after a second without a message from the computer. It watches critical rules from the computer.
  */
 #include <string.h>
 
@@ -51,7 +50,7 @@ static void drive(int left, int right)
 
 /* An action either drives the wheels or takes an argument. */
 typedef struct {
-    javino_action named; /* the core reads the names; action_size tells it the distance from one name to the next */
+    javino_action named; /* the core reads the names, at a distance of action_size */
     int8_t left;
     int8_t right;
 } action;
@@ -86,8 +85,9 @@ static uint8_t argument_count(const char *text, uint8_t length)
 /*
  * Carries out the text of an action. Returns false if the action is unknown or malformed.
  *
- * In version 1 a damaged size may cut an action short. No name here begins another name, and a text that is cut within its brackets is no
- * literal. So a cut text is never taken for another action. If one of your names begins another, ask javino_decoder_follows first.
+ * In version 1 a damaged length may truncate an action's text. No name here is the beginning of another name, and a text truncated within
+ * its brackets is no literal. A truncated text is therefore never mistaken for another action. If one of your names is the beginning of
+ * another, call javino_decoder_follows first.
  */
 static bool act(void *context, const char *text, uint8_t length)
 {
@@ -144,7 +144,7 @@ static void put_byte(void *context, uint8_t byte)
     machine_put(MACHINE_LINE, byte);
 }
 
-/* Takes arrived bytes while the link has room for them. Returns the time at which it took them. */
+/* Takes arrived bytes while the link has room. Returns the time before it began. */
 static uint32_t take_bytes(void)
 {
     uint32_t now = machine_ms();

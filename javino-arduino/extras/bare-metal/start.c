@@ -3,14 +3,14 @@
 /* ---- Received bytes and the clock ---- */
 
 /*
- * The size of a port's ring, which keeps at most RING_BYTES - 1 received bytes. It must be a power of two, at most 256, and greater than
- * JAVINO_CREDIT.
+ * The size of a port's ring, a power of two, at most 256, and greater than JAVINO_CREDIT. A ring holds at most RING_BYTES - 1 received
+ * bytes.
  */
 #define RING_BYTES 256
 
 /*
- * Only the receive interrupt puts bytes, and only the main loop takes them. So on a machine with one core neither has to lock out the
- * other.
+ * Only the receive interrupt adds bytes, and only the main loop takes them. On a machine with one core, neither needs to lock the other
+ * out.
  */
 static struct {
     volatile uint8_t bytes[RING_BYTES];

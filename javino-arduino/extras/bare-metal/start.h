@@ -1,13 +1,13 @@
 /**
- * @file What all machines have in common: kept bytes, a count of milliseconds, and the way to main. A machine.c calls these functions from
- * its interrupts and its first instructions.
+ * @file Code for all machines: received bytes, a count of milliseconds, and the start before main. A machine.c calls these functions from
+ *     its interrupts and its first instructions.
  */
 #ifndef START_H
 #define START_H
 
 #include "machine.h"
 
-/** Keeps a received byte until machine_take takes it. If there is no room, the byte is lost, as in a UART that nobody reads. */
+/** Keeps a received byte until machine_take returns it. If there is no room, the byte is lost. */
 void machine_receive(uint8_t port, uint8_t byte);
 
 /** Adds a millisecond to the count of machine_ms. */
@@ -16,7 +16,7 @@ void machine_tick(void);
 /** Halts the machine. Exceptions end here. */
 void machine_halt(void);
 
-/** Sets up the memory, calls constructors, and calls main. machine_reset is the first C function, and needs a stack. */
+/** Sets up the memory, calls constructors, and calls main. This is the first C function. It needs a stack. */
 void machine_reset(void);
 
 #endif

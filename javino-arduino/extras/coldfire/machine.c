@@ -1,7 +1,4 @@
-/**
- * @file A ColdFire MCF5208 without any library. QEMU emulates it with `qemu-system-m68k -M mcf5208evb`. The processor is big-endian: the
- * first byte of a number in memory is the highest.
- */
+/** @file A ColdFire MCF5208 without any library. QEMU emulates it with `qemu-system-m68k -M mcf5208evb`. The processor is big-endian. */
 #include "start.h"
 
 /* ---- Registers ---- */
@@ -25,7 +22,7 @@ enum { TIMER_ON = 1, TIMER_AGAIN = 2, TIMER_OVER = 4, TIMER_INTERRUPT = 8, TIMER
 #define INTERRUPT_PASS REG8(0xFC04801D)
 enum { TIMER_NUMBER = 4, UART_NUMBER = 26 };
 
-/* The clock of the timer and of the ports. */
+/* The clock rate of the timer and the ports. */
 #define CLOCK_HZ 83333333u
 
 /* ---- Interrupts ---- */
@@ -56,10 +53,7 @@ static __attribute__((interrupt)) void tick(void)
 
 typedef void (*function)(void);
 
-/*
- * The table holds exceptions, followed by interrupts in the order of their numbers. VBR demands that the table begins at a multiple of 1
- * MiB.
- */
+/* The table holds exceptions, followed by interrupts in the order of their numbers. VBR requires an address that is a multiple of 1 MiB. */
 enum { FIRST = 64, TIMER = FIRST + TIMER_NUMBER, LINE = FIRST + UART_NUMBER, PANEL = LINE + 1, VECTOR_COUNT = 128 };
 
 __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_COUNT] = {
@@ -67,7 +61,7 @@ __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_
     [LINE] = receive_line,            [PANEL] = receive_panel, [PANEL + 1 ... VECTOR_COUNT - 1] = machine_halt,
 };
 
-/* Masks all interrupts, sets the stack, and tells the processor where the vectors are. */
+/* Masks all interrupts, sets the stack, and sets the address of the vectors. */
 __asm__(".text\n"
         ".globl start\n"
         "start: move.w #0x2700, %sr\n"

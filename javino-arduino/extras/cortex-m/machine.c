@@ -1,6 +1,6 @@
 /**
- * @file A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image. QEMU emulates it with `qemu-system-arm -M mps2-an385`. For
- * another Cortex-M, keep the vectors and the clock. Change the UART's registers, the clock's rate and the numbers of interrupts.
+ * @file A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image. QEMU emulates it with `qemu-system-arm -M mps2-an385`.
+ *     For another Cortex-M, keep the vectors and the clock, and change the UART's registers, the clock's rate and the interrupt numbers.
  */
 #include "start.h"
 

@@ -1,7 +1,6 @@
 /**
- * @file
- * A MIPS32 without any library, as `qemu-system-mipsel -M malta -cpu 24Kf` is. The processor belongs to the family of the PIC32MZ EF, and
- * has the lowest byte of a number first. The ports and the interrupt controller are those of a PC.
+ * @file A MIPS32 without any library. QEMU emulates it with `qemu-system-mipsel -M malta -cpu 24Kf`. The processor belongs to the family
+ *     of the PIC32MZ EF and is little-endian. The ports and the interrupt controller are those of a PC.
  */
 #include "start.h"
 
@@ -49,7 +48,7 @@ static void receive(uint8_t port)
         machine_receive(port, UART(port, UART_DATA));
 }
 
-/* Late interrupts of the timer merge into one. The processor's own count shows how many milliseconds have passed. */
+/* Late interrupts of the timer merge into one. The processor's counter shows how many milliseconds have passed. */
 static void tick(void)
 {
     static uint32_t counted;
@@ -57,8 +56,8 @@ static void tick(void)
         machine_tick();
 }
 
-/* The processor has one place for interrupts and exceptions. The controller reports a byte only once; if the program misses a byte, it
- * reads the byte at the next interrupt. */
+/* Handles all interrupts and exceptions, which share one vector. The controller reports each byte only once. If this function misses a
+ * byte, it reads the byte at the next interrupt. */
 __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted(void)
 {
     if (CAUSE() & EXCEPTION)
@@ -70,7 +69,7 @@ __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted
     receive(MACHINE_PANEL);
 }
 
-/* Interrupts use these vectors as soon as the bit is cleared that selects the boot code's vectors. */
+/* Interrupts use these vectors after the code below has cleared the bit that selects the boot vectors. */
 __asm__(".section .vectors, \"ax\"\n"
         ".set noreorder\n"
         "vectors: .space 0x180\n"
@@ -98,7 +97,7 @@ static void open_port(uint8_t port)
     UART(port, UART_DATA) = UART_CLOCK_HZ / 16 / MACHINE_BAUD;
     UART(port, UART_INTERRUPTS) = 0;
     UART(port, UART_FRAME) = EIGHT_BITS;
-    UART(port, UART_MODEM) = OUTPUT_2; /* lets the interrupt out */
+    UART(port, UART_MODEM) = OUTPUT_2; /* enables the interrupt line */
     UART(port, UART_INTERRUPTS) = RX_INTERRUPT;
 }
 

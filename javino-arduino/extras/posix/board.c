@@ -1,6 +1,6 @@
 /**
- * @file A board without Arduino: a complete program for a POSIX serial port. A line of text stands for its lamp, and the clock for its
- * sensor.
+ * @file A board without Arduino: a complete program for a POSIX serial port. It prints a line of text in place of a lamp, and uses the
+ *     clock in place of a sensor.
  *
  *     board DEVICE [BAUD]
  *
@@ -61,7 +61,7 @@ static int open_port(const char *device, long baud)
     return fd;
 }
 
-/* Takes arrived bytes while the link has room for them. Returns the time at which it took them. */
+/* Takes arrived bytes while the link has room. Returns the time before it began. */
 static uint32_t take_bytes(void)
 {
     struct pollfd source = {port, POLLIN, 0};
@@ -77,7 +77,7 @@ static uint32_t take_bytes(void)
     return now;
 }
 
-/* The core calls this function. On a microcontroller with a short receive buffer, take received bytes here too. */
+/* Called by the core. On a microcontroller with a short receive buffer, also take received bytes here. */
 static void put_byte(void *context, uint8_t byte)
 {
     (void)context;
@@ -113,7 +113,7 @@ static bool is(const char *text, uint8_t length, const char *name)
     return strlen(name) == length && memcmp(text, name, length) == 0;
 }
 
-/* Carries out the action in hand. Returns false if it is unknown or malformed. */
+/* Carries out the present action. Returns false if it is unknown or malformed. */
 static bool act(const char *text, uint8_t length)
 {
     const char *argument = text;

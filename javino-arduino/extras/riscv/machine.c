@@ -1,7 +1,7 @@
 /**
  * @file A RISC-V microcontroller without any library: SiFive's FE310 (RV32IMAC, 16 KB of RAM). QEMU emulates it with
- * `qemu-system-riscv32 -M sifive_e`. For another RISC-V, keep the first instructions. Change the UART's registers, the clock's address and
- * rate, and the numbers of interrupts.
+ *     `qemu-system-riscv32 -M sifive_e`. For another RISC-V, keep the first instructions, and change the UART's registers, the clock's
+ *     address and rate, and the interrupt numbers.
  */
 #include "start.h"
 
@@ -12,8 +12,8 @@
 typedef volatile uint32_t reg;
 
 typedef struct {
-    reg transmit; /* the highest bit of a read tells that the transmitter is full */
-    reg receive;  /* the highest bit of a read tells that the receiver is empty */
+    reg transmit; /* if the highest bit of a read is set, the transmitter is full */
+    reg receive;  /* if the highest bit of a read is set, the receiver is empty */
     reg transmit_control;
     reg receive_control;
     reg interrupts_on; /* bit 1: received bytes */
@@ -33,7 +33,7 @@ enum { UART0_INTERRUPT = 3, UART1_INTERRUPT = 4 };
 #define PLIC_ON (*(reg *)0x0C002000)
 #define PLIC_CLAIM (*(reg *)0x0C200004)
 
-/* The clock, and the time of its next interrupt. QEMU's clock runs at 10 MHz. A real FE310's clock runs at 32,768 Hz, which is 32.8 ticks a
+/* The clock, and the time of its next interrupt. QEMU's clock runs at 10 MHz. The clock of a real FE310 runs at 32,768 Hz: 32.8 ticks a
  * millisecond. */
 #define TIME_LOW (*(reg *)0x0200BFF8)
 #define TIME_HIGH (*(reg *)0x0200BFFC)
@@ -48,7 +48,7 @@ static uint64_t alarm;
 static void set_alarm(uint64_t at)
 {
     alarm = at;
-    ALARM_HIGH = 0xFFFFFFFF; /* keeps the alarm from firing while half of its time is written */
+    ALARM_HIGH = 0xFFFFFFFF; /* no alarm while only half of the time is written */
     ALARM_LOW = (uint32_t)at;
     ALARM_HIGH = (uint32_t)(at >> 32);
 }
@@ -91,7 +91,7 @@ __attribute__((interrupt("machine"), aligned(4))) static void trap(void)
 
 /* ---- Start ---- */
 
-/* The first instructions set the stack, and gp, by which the compiler reaches data. */
+/* Sets the stack, and the register gp, which the compiler uses to address data. */
 __asm__(".section .start, \"ax\"\n"
         ".globl start\n"
         "start:\n"
@@ -107,7 +107,7 @@ void machine_start(void)
 {
     uint8_t port;
     __asm__ volatile("csrw mtvec, %0" ::"r"(trap));
-    /* Interrupts are let through before the ports are opened: QEMU forgets an interrupt that is pending when PLIC_ON lets it through. */
+    /* QEMU forgets an interrupt that is pending when PLIC_ON enables it, so PLIC_ON comes before the ports. */
     PLIC_PRIORITY(UART0_INTERRUPT) = 1;
     PLIC_PRIORITY(UART1_INTERRUPT) = 1;
     PLIC_ON = 1u << UART0_INTERRUPT | 1u << UART1_INTERRUPT;
@@ -117,8 +117,8 @@ void machine_start(void)
         UARTS[port]->receive_control = ON;
         UARTS[port]->interrupts_on = RX_INTERRUPT_ON;
     }
-    set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* read in two halves: during the start the upper half does not change */
-    __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's */
+    set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* the upper half does not change between the two reads */
+    __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's interrupt */
     __asm__ volatile("csrsi mstatus, 8");                        /* enables all interrupts */
 }
 

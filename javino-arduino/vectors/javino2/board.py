@@ -7,7 +7,7 @@ DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
 MAX_CRITICAL_PERCEPT = 253
-KINDS = b"(?)"  # stands in place of a list of functors, and asks for the kinds of percepts
+KINDS = b"(?)"  # in place of a list of functors; asks for the kinds of percepts
 REVISION = 1
 
 
@@ -17,12 +17,12 @@ def described(kinds):
 
 
 class Board:
-    """A board with a program on it. The program is an object with these members. `actions` holds pairs of a name and its number of
-    arguments. `percepts(functors)` returns the present texts. `kinds` holds the kinds of percepts. `carry_out(text)` returns DONE, REFUSES
-    or LATER.
+    """A board with a program. The program is an object with these members. `actions` holds pairs of a name and its number of arguments.
+    `percepts(functors)` returns the present texts. `kinds` holds the kinds of percepts. `carry_out(text)` returns DONE, REFUSES or
+    LATER.
 
-    Numbers wrap after `numbers`; the protocol has 256 of them, a model fewer. Each part holds `part_size` bytes of an answer. If
-    `part_size` is None, a part holds as many bytes as a frame can. While rules are set, a part holds at most twelve.
+    Numbers wrap after `numbers`, which is 256 in the protocol. Each part holds `part_size` bytes of an answer. If `part_size` is None,
+    a part holds as many bytes as a frame can. While rules are set, a part holds at most twelve.
     """
 
     def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None):
@@ -58,7 +58,7 @@ class Board:
         return [self._say(ACK)]
 
     def end(self):
-        """Takes a message of version 1, which ends the session: the sender of the message knows of no session."""
+        """Takes a message of version 1. The message ends the session, because its sender knows of no session."""
         self._begin(0)
 
     def _say(self, kind, payload=b""):
@@ -79,7 +79,7 @@ class Board:
                 self._handle(command)
 
     def _is_next(self, number):
-        """Returns true if the command with this number is carried out now. Commands before `due` were handled; commands behind it are
+        """Returns true if the command with this number is carried out now. Commands before `due` were handled. Commands after it are
         dropped."""
         return number == self.due and not self.refused and not self.busy
 
@@ -95,7 +95,7 @@ class Board:
         self.refused = outcome == REFUSES
 
     def report(self, outcome):
-        """Takes the outcome of the action that the program is busy with. Ignores an action that began in an earlier session."""
+        """Takes the outcome of the action in progress. Ignores an action of an earlier session."""
         if not self.busy:
             return []
         self.busy = False
@@ -153,7 +153,7 @@ class Board:
         return DONE
 
     def look(self):
-        """Looks at the sensors. Carries out the reflex of each rule that begins to be met, and sends a report of the rule."""
+        """Compares the sensors' percepts with the rules. Carries out the reflex of each rule that begins to match, and reports it."""
         texts, sent = [t for t in self.program.percepts(b"") if len(t) <= MAX_CRITICAL_PERCEPT], []
         for number in sorted(self.rules):
             rule = self.rules[number]

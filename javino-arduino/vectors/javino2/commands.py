@@ -1,7 +1,7 @@
 """The row of commands in the payload of COMMANDS."""
 from typing import NamedTuple
 
-NOTHING = None  # the item FE, which only uses up a number
+NOTHING = None  # the item FE, which only takes a number
 MAX_ACTION = 125
 
 
@@ -30,7 +30,7 @@ def write_row(commands):
 
 
 def read_row(row):
-    """Returns the commands of a payload. An item that is cut or empty ends the row."""
+    """Returns the commands of a payload. A truncated or empty item ends the row."""
     commands = []
     while row:
         first, row = row[0], row[1:]

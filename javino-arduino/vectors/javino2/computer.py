@@ -1,4 +1,4 @@
-"""The computer's end of a line: a session with its clocks, its waiting commands and the board's credit."""
+"""The computer's end of a line: a session with clocks, waiting commands, and the board's credit."""
 from typing import NamedTuple, Optional
 
 from . import commands
@@ -18,13 +18,13 @@ class Waiting(NamedTuple):
 
 
 class Carrier(NamedTuple):
-    """A frame that is out: how many of its commands are not acknowledged, and how many bytes it takes on the line."""
+    """A frame that is not fully acknowledged: the number of its unacknowledged commands, and its length on the line."""
     commands: int
     bytes: int
 
 
 def nonces(choose):
-    """Returns a function that makes nonces from `choose(low, high)`. A HELLO with such a nonce holds no `f` and needs no escape."""
+    """Returns a function that makes nonces with `choose(low, high)`. A HELLO with such a nonce contains no `f` and needs no escape."""
     def next_nonce(last):
         while True:
             nonce = choose(1, 255)
@@ -35,7 +35,7 @@ def nonces(choose):
 
 
 class Computer:
-    """Takes bytes by `receive` and returns bytes by `poll`. Outcomes and answers are in `session`. A byte takes `byte_time`."""
+    """Takes bytes in `receive` and returns bytes from `poll`. Outcomes and answers are in `session`. A byte takes `byte_time`."""
 
     def __init__(self, next_nonce, byte_time, now):
         self.session = Session(next_nonce)
@@ -50,7 +50,7 @@ class Computer:
 
     def _begin(self, now):
         self.carriers, self.ask_bytes = [], 0
-        self.timed = None  # (commands to be acknowledged until the measurement ends, when it began)
+        self.timed = None  # (number of commands until the measurement ends, its begin)
         self.backoff = 1
         self.repetitions, self.repeated_at, self.heard_at = 0, None, now
 
@@ -60,7 +60,7 @@ class Computer:
         self.waiting.append(Waiting(command, deadline))
 
     def ask(self):
-        """Asks for percepts. The answer will be among the session's `answers`. Returns false if no session is open."""
+        """Asks for percepts. The answer appears in the session's `answers`. Returns false if no session is open."""
         if not self.session.open:
             return False
         frame = self.session.ask()
@@ -164,7 +164,7 @@ class Computer:
                     break
                 row.append(waiting.command)
             in_use = self.ask_bytes + sum(c.bytes for c in self.carriers)
-            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # as if every byte were escaped
+            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # all bytes may be escaped
                 return
             sent, self.waiting = self.waiting[:len(row)], self.waiting[len(row):]
             self.deadlines.update({w.command: w.deadline for w in sent if w.deadline is not None})

@@ -1,4 +1,4 @@
-"""A whole board of both versions: bytes in, bytes out."""
+"""A whole board that speaks both versions: bytes in, bytes out."""
 import version1
 
 from .board import Board
@@ -16,7 +16,7 @@ class Device:
         self.sending = b""
 
     def receive(self, data, now):
-        """Returns the bytes that answer the received bytes; there may be none."""
+        """Returns the bytes that answer the received bytes, possibly none."""
         self.line.idle(now)
         self.line.receive(data, now)
         return self._sent()

@@ -33,7 +33,7 @@ def escape(data):
 
 
 def begins_sessions(kind):
-    """Returns true if the checksum of frames of this kind is the same in all sessions."""
+    """Returns true if the checksum of frames of this kind does not depend on the session."""
     return kind == HELLO or kind & ~FLAGS == WELCOME
 
 
@@ -50,20 +50,20 @@ def is_kind(direction, kind):
 
 
 class Receiver:
-    """Finds the frames of one direction, and drops all other bytes. `nonce` is the session's nonce; 0 means that there is no session."""
+    """Finds the frames of one direction, and drops all other bytes. `nonce` is the session's nonce, or 0 without a session."""
 
     def __init__(self, direction, timeout=100, longest=255):
         self.direction = direction
         self.timeout = timeout
         self.longest = longest
         self.nonce = 0
-        self.body = None  # bytes of the frame that is being read, without escapes; None outside of frames
+        self.body = None  # unescaped bytes of the frame being read, or None outside of frames
         self.escaped = False
         self.last = 0
         self.frames = []
 
     def receive(self, data, now):
-        """Takes bytes that arrive together, and adds the frames that they complete to `frames`."""
+        """Takes bytes that arrive together. Adds completed frames to `frames`."""
         if now - self.last > self.timeout:
             self.body = None
         for byte in data:
@@ -101,7 +101,7 @@ class Receiver:
                 self.frames.append(Frame(body[1], body[2], body[3:]))
 
     def _counts(self, kind):
-        """A computer without a session hears WELCOME only."""
+        """A computer without a session accepts only WELCOME."""
         return bool(self.nonce) or self.direction == TO_BOARD or begins_sessions(kind)
 
     def _is_intact(self, body, crc):

@@ -1,14 +1,12 @@
-"""The receiver of a board on a line that both versions share."""
+"""The receiver of a board, on a line with frames of both versions."""
 import version1
 
 from .frames import START, TO_BOARD, Receiver
 
 
 class Line:
-    """Finds frames of version 2, and frames of version 1 that count. Hands each to `deliver`, as a Frame or as a payload of version 1.
-
-    `session` is the nonce of the board's present session; 0 means that there is none. Set `session` before the next byte comes, in
-    `deliver` at the latest.
+    """Finds frames of version 2, and valid frames of version 1. Passes each to `deliver`, as a Frame or as a payload of version 1.
+    `session` is the nonce of the board's present session, or 0. Set `session` before the next byte comes, at the latest in `deliver`.
     """
 
     def __init__(self, deliver, timeout=100, longest=255, now=0):
@@ -48,7 +46,7 @@ class Line:
         self.version1.anywhere = not self.session
 
     def _again(self, rest):
-        """Takes the bytes that version 1 leaves. They begin with a frame of version 2."""
+        """Takes bytes that version 1 did not use. They begin with a frame of version 2."""
         if rest:
             self._put2(rest[0])
         for byte in rest[1:]:

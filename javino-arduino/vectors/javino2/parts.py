@@ -17,7 +17,7 @@ def split(request, answer, size=None):
 
 
 class Assembly:
-    """Puts parts together. If a number is missing among the parts, the answer is void."""
+    """Joins parts. If a part is missing, the answer is void."""
 
     def __init__(self):
         self.request, self.parts, self.answer = None, 0, b""

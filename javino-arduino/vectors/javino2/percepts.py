@@ -1,4 +1,4 @@
-"""Answers: percept texts as rows of items. The first item of a percept holds its whole text, and later items only its digits."""
+"""Answers: percept texts as rows of items. A percept's first item holds its whole text. Later items hold only its digits."""
 import re
 
 MAX_SHAPES = 126
@@ -10,12 +10,12 @@ _NUMBER = re.compile(rb"[0-9]+")
 
 
 def shape(text):
-    """Returns the text without its digits: the pieces between its numbers, one piece more than there are numbers."""
+    """Returns the text without its digits: the pieces before, between and after its numbers."""
     return tuple(_NUMBER.split(text))
 
 
 def half_bytes(text):
-    """Returns the digits of the text's numbers, with an F behind each number."""
+    """Returns the digits of the text's numbers, with an F after each number."""
     return [h for number in _NUMBER.findall(text) for h in [d - 0x30 for d in number] + [END_OF_NUMBER]]
 
 
@@ -25,15 +25,15 @@ def pack(halves):
 
 
 class Writer:
-    """The board's table of shapes, and the answers that it writes. Each session has its own writer."""
+    """The board's table of shapes. Writes answers. Each session has its own writer."""
 
     def __init__(self, room=MAX_SHAPES):
         self.room = min(room, MAX_SHAPES)
         self.ids = {}
 
     def write(self, texts, known):
-        """Returns the items of an answer. `known` is how many texts the computer knows by its newest ASK. Neighbouring ids are joined into
-        runs."""
+        """Returns the items of an answer. `known` is the number of texts that the computer knows, from its newest ASK. Joins consecutive
+        ids into runs."""
         items, run = [], None  # run: [first id, count, half bytes]
         for text in texts:
             id = self._id(text)
@@ -51,7 +51,7 @@ class Writer:
 
     @classmethod
     def write_without_ids(cls, texts):
-        """Returns the items of texts that take no ids, such as those of a description."""
+        """Returns the items of texts that take no ids, such as a description."""
         return b"".join(cls._text(text, None) for text in texts)
 
     def _id(self, text):
@@ -75,13 +75,13 @@ class Void(Exception):
 
 
 class Reader:
-    """The computer's table of shapes, and the answers that it reads. Each session has its own reader."""
+    """The computer's table of shapes. Reads answers. Each session has its own reader."""
 
     def __init__(self):
         self.shapes = {}
 
     def known(self):
-        """Returns how many ids are known, counted from 0 up to the first gap."""
+        """Returns the number of known ids, counted from 0 up to the first gap."""
         n = 0
         while n in self.shapes:
             n += 1

@@ -1,4 +1,4 @@
-"""The program of a board in the vectors and the tests."""
+"""The board's program for the vectors and the tests."""
 import re
 
 from . import vocabulary
@@ -15,7 +15,7 @@ class Program:
         self.carried_out = []
 
     def percepts(self, functors):
-        """Returns all texts, or only those of the functors in a text such as `(dist,light)`."""
+        """Returns all texts, or those whose functors are in a list such as `(dist,light)`."""
         if not set(b"(,") & set(functors):
             return self.texts
         return [t for t in self.texts if re.search(rb"[(,]" + re.escape(literal(t)[0]) + rb"[,)]", functors)]

@@ -1,4 +1,4 @@
-"""Rules that a board watches by itself."""
+"""Rules that the board itself watches."""
 import re
 from fractions import Fraction
 from typing import NamedTuple, Optional
@@ -15,7 +15,7 @@ _NUMBER = re.compile(rb"[+-]?[0-9]+(\.[0-9]+)?\Z")
 class Condition(NamedTuple):
     place: int
     operator: bytes
-    values: tuple  # if there are two values, the second one counts while the rule is met
+    values: tuple  # a second value is used while the rule matches
 
 
 class Rule(NamedTuple):
@@ -30,7 +30,7 @@ class Malformed(Exception):
 
 
 def read(text):
-    """Reads a rule's command. Returns a Rule, or the number of the rule to remove; 0 removes all rules."""
+    """Reads a rule's command. Returns a Rule, or the number of the rule to remove. 0 removes all rules."""
     number = text[0]
     if len(text) == 1:
         return number
@@ -55,7 +55,7 @@ def read(text):
 
 
 def _word(text):
-    """Returns the bytes before the first 00, and the bytes behind it."""
+    """Returns the bytes before the first 00, and the bytes after it."""
     end = text.find(0)
     if end < 0:
         raise Malformed
@@ -63,7 +63,7 @@ def _word(text):
 
 
 def met(rule, percept, before=False):
-    """Returns true if the percept has the rule's functor and meets all conditions of the rule, which was met `before` or not."""
+    """Returns true if the percept has the rule's functor and matches all conditions. `before` tells whether the rule matched before."""
     functor, arguments = literal(percept)
     return functor == rule.functor and all(_holds(c, arguments, before) for c in rule.conditions)
 
@@ -80,7 +80,7 @@ def _holds(condition, arguments, before):
 
 
 def literal(percept):
-    """Returns the functor of a percept, and its arguments without the blanks around them."""
+    """Returns the functor of a percept, and its arguments without surrounding blanks."""
     functor, rest = re.match(rb"([^(\[;]*)(.*)", percept, re.DOTALL).groups()
     if not rest.startswith(b"("):
         return functor.strip(BLANK), []

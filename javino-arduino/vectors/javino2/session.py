@@ -1,4 +1,4 @@
-"""The computer's side of a session: frames in, frames out. The caller decides when to repeat frames, since this module has no clock."""
+"""The computer's side of a session: frames in, frames out. This module has no clock: the caller decides when to repeat frames."""
 from . import vocabulary
 from .frames import ACK, ASK, BUSY, CRITICAL, DESCRIBE, FLAGS, HELLO, LAST_PART, PART, PERCEPTS, REFUSED, VOCABULARY, WELCOME, Frame
 from .parts import Assembly
@@ -9,13 +9,13 @@ REVISION = 1
 
 
 class Session:
-    """`next_nonce` makes a nonce from the last one. The session adds results to four lists, and the caller takes them from there:
-    `outcomes` (command, outcome), `answers` (request, texts; None if void), `critical` (payloads) and `pages` of the vocabulary."""
+    """`next_nonce` makes a nonce from the last one. The session adds results to four lists: `outcomes` (command, outcome), `answers`
+    (request, texts; None if void), `critical` (payloads) and `pages` of the vocabulary. The caller takes them from there."""
 
     def __init__(self, next_nonce, numbers=256, size=16, impossible=16):
         self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
-        self.impossible = impossible  # how many impossible numbers in a row end a session
-        self.other_revision = None  # the revision of a board that refused a session for it
+        self.impossible = impossible  # number of impossible numbers in a row that ends a session
+        self.other_revision = None  # the revision of a board that speaks another revision
         self.nonce = 0
         self.outcomes, self.answers, self.critical, self.pages = [], [], [], []
         self.window = Window(numbers, size)
@@ -49,13 +49,13 @@ class Session:
         return Frame(ASK, self.requests, bytes([self.reader.known()]) + functors)
 
     def repeat(self):
-        """Returns the frame to send when an answer has not come in time, or None."""
+        """Returns the frame to send if an answer has not come in time, or None."""
         if not self.open:
             return self.hello()
         return self.window.repetition() if self.window.out else None
 
     def receive(self, frame, repeated_lately):
-        """Returns the frames to send at once when a frame comes."""
+        """Returns the frames to send at once after a frame arrives."""
         kind = frame.kind & ~FLAGS
         if kind == WELCOME:
             return [] if self._welcomed(frame) else [self.hello()]
@@ -77,7 +77,7 @@ class Session:
         return [self.window.repetition()] if self.window.out and (news.again or without_news) else []
 
     def _welcomed(self, frame):
-        """Takes a WELCOME. Returns true if the WELCOME opens the session or changes nothing; false if it ends the session."""
+        """Takes a WELCOME. Returns true if it opens the session or changes nothing. Returns false if it ends the session."""
         nonce, revision = frame.payload[:1], (frame.payload[4:5] or b"\0")[0]
         is_own = nonce == bytes([self.nonce])
         if is_own == self.open:
@@ -88,7 +88,7 @@ class Session:
         if is_own and not frame.number and not frame.kind & FLAGS:
             self._open(frame.payload)
             return True
-        # The board was restarted, or a session of another computer happened to have the same nonce.
+        # The board has restarted, or another computer's session has an equal nonce.
         self._close()
         return False
 

@@ -1,18 +1,17 @@
 """The actions of a board, in pages."""
 
-ANY_NUMBER = 0xFF  # stands for any number of arguments
+ANY_NUMBER = 0xFF  # any number of arguments
 MAX_ACTIONS = 126
 MAX_NAME = 250
 
 
 def numbered(actions):
-    """Returns the actions that get a number. A board leaves out the other actions, and reports their number."""
+    """Returns the actions that get a number. A board leaves out the other actions, and reports how many there are."""
     return [action for action in actions if len(action[0]) <= MAX_NAME][:MAX_ACTIONS]
 
 
 def write_page(request, actions, first, room=252):
-    """Returns the payload with as many whole actions as `room` bytes hold, beginning with number `first`. An action is (name,
-    arguments)."""
+    """Returns a payload with whole actions from number `first` on, as many as fit into `room` bytes. An action is (name, arguments)."""
     page = bytes([request, first, len(actions)])
     for name, arguments in actions[first:]:
         action = bytes([arguments, len(name)]) + name
@@ -23,7 +22,7 @@ def write_page(request, actions, first, room=252):
 
 
 def read_page(payload):
-    """Returns (request, first, total, actions) of a payload, or None if the payload is cut."""
+    """Returns (request, first, total, actions) of a payload, or None if the payload is truncated."""
     if len(payload) < 3:
         return None
     request, first, total = payload[:3]
@@ -38,7 +37,7 @@ def read_page(payload):
 
 
 def number_of(actions, name):
-    """Returns the number of the newest action `name`. Returns None if that command goes as text."""
+    """Returns the number of the newest action `name`. Returns None if the command must go out as text."""
     for i in reversed(range(len(actions))):
         if actions[i][0] == name:
             return i if i <= 125 and actions[i][1] in (0, ANY_NUMBER) else None

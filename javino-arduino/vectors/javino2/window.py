@@ -1,4 +1,4 @@
-"""The commands that are out: sent to the board and not acknowledged. This module has no clock."""
+"""The unacknowledged commands. This module has no clock."""
 from typing import NamedTuple
 
 from . import commands
@@ -11,17 +11,17 @@ MAX_ROW = 32
 class Out(NamedTuple):
     command: object  # a command of commands.py
     over: bool = False  # the command's time is over, or nobody waits for its outcome
-    as_nothing: bool = False  # the command went out as FE
+    as_nothing: bool = False  # the last frame had FE in place of the command
 
 
 class News(NamedTuple):
     outcomes: list = []  # (command, outcome), in order
-    again: bool = False  # the commands that are out must be sent again at once
-    accepted: bool = False  # the window has taken the frame's number and flags
+    again: bool = False  # the unacknowledged commands must be sent again at once
+    accepted: bool = False  # the frame's number was possible
 
 
 class Window:
-    """Numbers wrap after `numbers`. At most `size` commands may be out."""
+    """Numbers wrap after `numbers`. At most `size` commands may be unacknowledged."""
 
     def __init__(self, numbers=256, size=16):
         self.numbers, self.size = numbers, size
@@ -33,13 +33,13 @@ class Window:
         return self.size - len(self.out)
 
     def send(self, row):
-        """Returns the frame for commands that go out for the first time."""
+        """Returns the frame for new commands."""
         first = (self.oldest + len(self.out)) % self.numbers
         self.out += [Out(command) for command in row]
         return self._frame(first, row)
 
     def repetition(self):
-        """Returns the frame that repeats the oldest commands that are out, as many as fit."""
+        """Returns a frame that repeats the oldest unacknowledged commands, as many as fit."""
         row = []
         for i, entry in enumerate(self.out):
             command = commands.NOTHING if entry.over else entry.command

@@ -1,4 +1,4 @@
-/* The functions of the C library that this library needs. They serve compilers that come without a C library. */
+/* The functions of the C library that the core needs, for compilers without a C library. */
 #ifndef STRING_H
 #define STRING_H
 
@@ -14,7 +14,7 @@ void *memset(void *to, int value, size_t n);
 int memcmp(const void *a, const void *b, size_t n);
 size_t strlen(const char *text);
 int strcmp(const char *a, const char *b);
-char *strdup(const char *text); /* only declared, since there is no heap */
+char *strdup(const char *text); /* only declared: there is no heap */
 
 #ifdef __cplusplus
 }
