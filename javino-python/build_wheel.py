@@ -1,5 +1,5 @@
-"""Makes the wheel and the source archive for pip and other build front ends (PEP 517). It needs no package and no network. The same sources
-always make the same files."""
+"""Makes the wheel and the source archive for pip and other build front ends (PEP 517). Needs no package and no network. Equal sources
+always give equal files."""
 import base64
 import gzip
 import hashlib
@@ -31,7 +31,7 @@ def _metadata():
 
 
 def get_requires_for_build_wheel(config_settings=None):
-    """Nothing."""
+    """Returns no requirements."""
     return []
 
 

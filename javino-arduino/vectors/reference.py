@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Checks the vectors of both versions of the protocol against the reference.
- reference.py            report differences
- reference.py --write    write javino2-vectors.json
+
+    reference.py            report differences
+    reference.py --write    write javino2-vectors.json
+
 The reference is written from docs/protocol.md, as plainly as possible: version1.py for version 1, and javino2/ for version 2. It is a
 second opinion on the vectors, the C core and the Java link. The vectors of version 1 are written by hand. The reference computes the
 vectors of version 2 from the inputs in cases2.py.

@@ -10,6 +10,7 @@ def frame(payload):
 
 class Decoder:
     """A receiver of version 1.
+
     `other` is the byte that begins frames of version 2, or None if only version 1 uses the line. If `anywhere` is true, a frame may
     begin at any byte. Otherwise a frame may begin only after a silence, which sets `quiet`. Messages go to `deliver`. Without it,
     `messages` keeps them.

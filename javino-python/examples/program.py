@@ -1,4 +1,4 @@
-"""A program without motors: the agent perceives typed lines, and can print texts. For the agent this program is a board like any other.
+"""A board without motors: the agent perceives typed lines, and can print texts.
 
     program.py              prints the port that the agent opens, a pseudo-terminal
     program.py tcp://127.0.0.1:4000

@@ -1,5 +1,5 @@
-"""A robot on a Raspberry Pi: two motors, an ultrasonic sensor and a bumper, on gpiozero. The agent's computer is at the other end of a
-serial cable (/dev/serial0) or of the network.
+"""A robot on a Raspberry Pi: two motors, an ultrasonic sensor and a bumper, with gpiozero. The agent's computer uses a serial cable
+(/dev/serial0) or the network.
 
     robot_pi.py [LINE]      /dev/serial0, or tcp://0.0.0.0:4000
 
@@ -34,5 +34,5 @@ def drive(left, right):
 
 board.act["stop"] = robot.stop
 board.watch_rules()
-board.on_link_lost(500, robot.stop)  # the agent or its computer has died
+board.on_link_lost(500, robot.stop)  # the agent or its computer has failed
 board.run_forever()

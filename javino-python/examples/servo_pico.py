@@ -1,4 +1,4 @@
-"""A Raspberry Pi Pico with MicroPython: a servo that reports when it has arrived, a light sensor and an LED. Save this file as main.py. The
+"""A Raspberry Pi Pico with MicroPython: a servo that reports its arrival, a light sensor and an LED. Save this file as main.py. The
 line is the first UART, pins 0 and 1. For the USB port write javino.Board()."""
 from machine import ADC, PWM, UART, Pin
 from time import ticks_add, ticks_diff, ticks_ms

@@ -1,4 +1,4 @@
-"""CircuitPython: the data port of USB, an LED and an analogue input. Save this file as code.py, and put into boot.py:
+"""A board with CircuitPython: the data port of USB, an LED and an analogue input. Save this file as code.py, and add to boot.py:
 
     import usb_cdc
     usb_cdc.enable(console=True, data=True)

@@ -1,4 +1,4 @@
-"""The Javino protocol for boards in Python. An agent asks the board for percepts and tells it to carry out actions.
+"""The Javino protocol for boards in Python. An agent requests percepts from the board and sends it actions.
 
     import javino
 

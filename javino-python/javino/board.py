@@ -1,4 +1,4 @@
-"""A board on a line: answers requests for percepts and carries out actions, in versions 1 and 2 of the protocol."""
+"""A board on a line. It answers requests for percepts and carries out actions, in versions 1 and 2 of the protocol."""
 from . import frames
 from .clock import ticks_diff, ticks_ms
 from .items import MAX_SHAPES, Shapes
@@ -11,23 +11,23 @@ ANY = 255
 _MAX_ACTIONS = 126
 _MAX_NAME = 250
 _MAX_PARTS = 255
-_PART = 253  # bytes of an answer in each part, so at most 64,515 bytes in an answer
-_PART_WITH_RULES = 12  # while there are rules; so at most 3,060 bytes in an answer
+_PART = 253  # bytes of an answer in a part; an answer has at most 64,515 bytes
+_PART_WITH_RULES = 12  # while rules are set; an answer then has at most 3,060 bytes
 _PAGE = 252
 _LOOK_MS = 5
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
-_KINDS = "(?)"  # in place of a list of functors: asks for the kinds of percepts
-_NOTHING = None  # "no command", which only uses up its number
+_KINDS = "(?)"  # in place of a list of functors; asks for the kinds of percepts
+_NOTHING = None  # "no command", which only takes a number
 
 
 class Refused(Exception):
-    """The function of an action raises this exception if it cannot carry the action out. Returning False has the same effect."""
+    """Raise this in the function of an action to refuse the action. Returning False has the same effect."""
 
 
 def _read_row(row):
-    """Yields the commands of a payload: for an action its number, for a text the text, for a rule (text,), for "no command" _NOTHING. Ends
-    before an unreadable item."""
+    """Yields the commands of a payload: an action's number, a text, (text,) for a rule, or _NOTHING for "no command". Ends before an
+    unreadable item."""
     at = 0
     while at < len(row):
         first = size = row[at]
@@ -46,7 +46,8 @@ def _read_row(row):
 
 
 def _asks_for(functors, functor):
-    """Returns true if a request with this list of functors, such as `(dist,light)`, asks for `functor`. Without a list, it asks for all."""
+    """Returns true if a request with this list of functors, such as `(dist,light)`, asks for `functor`. A request without a list asks
+    for all."""
     if "(" not in functors and "," not in functors:
         return True
     for before in "(,":
@@ -69,12 +70,12 @@ class _Acts:
 class Board:
     """A board on a line.
 
-    `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. The default is standard input and output; on a microcontroller that is the USB port. `baud` is the rate of a named serial port.
-    With a known rate, the board waits between the parts of a long answer, so that the report of a reflex can overtake parts. An unfinished
-    frame ends after 100 ms of silence; below 2000 baud, after 20 byte times. `credit` is the size of the port's receive buffer in bytes.
-    `longest` is the largest payload of a frame in bytes. `shapes` is the number of shapes of percepts that the board sends by their digits.
-    `ticks` is a clock of milliseconds.
+    `line` is the name of a line (see `open_line`), or an object with `read` and `write`, such as a UART of MicroPython or
+    CircuitPython, or a pyserial port. The default is standard input and output. On a microcontroller the default is the USB port.
+    `baud` is the rate of a named serial port. If the rate is known, the board waits between the parts of a long answer. The report
+    of a reflex can then overtake parts. A silence of 100 ms ends an unfinished frame. Below 2000 baud the silence is 20 byte times.
+    `credit` is the size of the port's receive buffer in bytes. `longest` is the longest payload of a frame in bytes. `shapes` is
+    the number of shapes of percepts that the board sends as digits. `ticks` is a clock of milliseconds.
 
     Call a board from only one thread, never from an interrupt.
     """
@@ -94,10 +95,10 @@ class Board:
         self._running = False
         self._inbox = b""  # bytes that arrived while a registered function ran
         self._texts = []  # written percepts that are not sent yet
-        self._waiting = 0  # number of bytes of the written percepts, if no request asked for them
-        self._asked = None  # the list of functors of the request in hand; None: there is no request
-        self._version = 0  # version of the request in hand
-        self._doubtful = None  # an action of version 1 that may be the beginning of another action
+        self._waiting = 0  # length of the written percepts that no request has asked for
+        self._asked = None  # list of functors of the present request; None without a request
+        self._version = 0  # version of the present request, or 0
+        self._doubtful = None  # an action of version 1 whose text may be truncated
         self._rules = None
         self._is_looking = False
         self._looked = self._before = self._heard = self._free_at = ticks()
@@ -115,7 +116,7 @@ class Board:
         self._shapes = Shapes(self._room)
         self._parts = []
         self._next_ask = None
-        self._open = 0  # the number, from `later`, of the action whose outcome is reported later; 0: none
+        self._open = 0  # number from `later` of the action without an outcome, or 0
         self._outcome = None
         self._in_hand = False
         if self._rules is not None:
@@ -126,10 +127,13 @@ class Board:
     def on_action(self, name, function=None, arguments=0):
         """Registers the function of an action. The function gets the values of the action's arguments: int, float, or str.
 
-        `arguments` is the number of the action's arguments, or ANY. An action with another number is refused. The function refuses the
-        action by returning False or raising Refused. After any other exception, the action is refused and `run` raises that exception.
+        `arguments` is the number of the action's arguments, or ANY. The board refuses an action with another number. The function
+        refuses the action by returning False or raising Refused. After any other exception, the board refuses the action and `run`
+        raises that exception.
+
         Without a function, on_action is a decorator: `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`.
-        Registering a name again replaces its function.
+
+        A second registration of a name replaces the function.
         """
         if isinstance(function, int):
             function, arguments = None, function
@@ -152,12 +156,12 @@ class Board:
         return function
 
     def perceive(self, function, *kinds):
-        """Registers the function that writes percepts when a computer asks for them. Returns that function, so that `perceive` is also a
+        """Registers the function that writes percepts when a computer asks for them. Returns that function. `perceive` is also a
         decorator.
 
         `kinds` are texts that describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
-        `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or `0|1`,
-        or a range, perhaps with a unit in front: `cm 0..400`, `-40..125`, `% ..`.
+        `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or
+        `0|1`, or a range with or without a unit: `cm 0..400`, `-40..125`, `% ..`.
         """
         if isinstance(function, str):
             kinds = (function,) + kinds
@@ -167,21 +171,21 @@ class Board:
         return function
 
     def watch_rules(self, room=8):
-        """Lets the board watch up to `room` critical rules, which the computer sets. `run` then calls the function given to `perceive`, at
-        most every 5 ms. In these calls `wants` is true only for functors that a rule names. Call watch_rules before the first `run`."""
-        from .rules import Rules  # here, since boards without rules need not load it
+        """Lets the board watch up to `room` critical rules from the computer. `run` then calls the function given to `perceive`, at
+        most every 5 ms. In these calls `wants` is true only for functors in rules. Call watch_rules before the first `run`."""
+        from .rules import Rules  # boards without rules do not load this module
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers a function that is called once when nothing valid has arrived for `ms` milliseconds. The function is called again only
-        after something valid has arrived. With 0 ms it is never called."""
+        """Registers a function for a lost link: it is called once if nothing valid has arrived for `ms` milliseconds. It is called
+        again only after something valid has arrived. With 0 ms it is never called."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
     # ---- percepts ----
 
     def wants(self, functor):
-        """Returns true if the request in hand asks for percepts with this functor. If not, the sensor need not be read."""
+        """Returns true if the present request asks for percepts with this functor. If not, the sensor need not be read."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
@@ -190,14 +194,14 @@ class Board:
     def percept(self, functor, *values):
         """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. `term` describes the values.
 
-        Returns False if the percept will not be sent, because it is too long for version 1, or too many percepts wait without a request.
+        Returns False if the percept will not be sent: it is too long for version 1, or too many unasked percepts wait.
         """
         if not self.wants(functor):
             return True
         return self._write(functor + "(" + ",".join([term(each) for each in values]) + ")" if values else functor)
 
     def add_percept(self, text):
-        """Writes a percept given as text, without the `;` at its end. Returns the same as `percept`."""
+        """Writes a percept, given as text without the `;`. Returns the result of `percept`."""
         return not self.wants(functor_of(text)) or self._write(text)
 
     def _write(self, text):
@@ -215,12 +219,12 @@ class Board:
         return True
 
     def clear_percepts(self):
-        """Forgets written percepts that are not sent yet."""
+        """Forgets the written percepts that are not sent yet."""
         self._texts = []
         self._waiting = 0
 
     def send_percepts(self):
-        """Sends the written percepts unasked. The answer to a request is sent by `run`."""
+        """Sends the written percepts unasked. `run` sends the answer to a request."""
         if self._asked is None and not self._is_looking:
             self._send_texts(0, 2 if self._session else 1)
             self._send_parts()
@@ -245,7 +249,7 @@ class Board:
         self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
 
     def _send_as_fits(self, request, texts, write, words):
-        """Sends the answer that `write` makes of these texts. If there are too many texts for one answer, sends only the first of them, and
+        """Sends the answer that `write` makes from these texts. If they are too many for one answer, sends only the first texts and
         warns."""
         limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
         answer = write(texts)
@@ -279,7 +283,8 @@ class Board:
         self._put(frames.frame1(message))
 
     def _send_parts(self):
-        """Sends the waiting parts of answers. With rules, sends a part when the previous part has left, then looks at the sensors."""
+        """Sends the waiting parts of answers. If rules are set, waits until the previous part has left, and checks the rules after
+        each part."""
         while self._parts and (not self._rules or self._has_left()):
             kind, payload = self._parts.pop(0)
             self._say(kind, payload)
@@ -289,7 +294,7 @@ class Board:
     # ---- actions ----
 
     def carry_out(self, text):
-        """Carries out the action with this text, as for a command or a reflex. Returns true if the action was carried out."""
+        """Carries out the action with this text. Returns true if the action was carried out."""
         functor, arguments, is_whole = split(text)
         if not is_whole:
             return False
@@ -306,8 +311,9 @@ class Board:
             return False
 
     def later(self):
-        """Call this in an action's function to report the outcome later, with `done`. Until `done` is called, the board carries out no
-        other action of version 2, but answers requests. Returns a number for `done`; 0 if nobody waits for an outcome, as in version 1."""
+        """Call this in an action's function to report the outcome later, with `done`. Until then the board answers requests, but
+        carries out no other action of version 2. Returns a number for `done`. In version 1 nobody waits for an outcome, so the
+        number is 0."""
         if not self._in_hand:
             return 0
         self._tokens += 1
@@ -315,8 +321,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action whose function called `later`. Returns false if nobody waits for the outcome: the number is 0,
-        or the computer has begun a new session."""
+        """Reports the outcome of an action whose function called `later`. Returns false if nobody waits for the outcome: the number is
+        0, or the computer has begun a new session."""
         if not later or later != self._open:
             return False
         self._open = 0
@@ -370,7 +376,7 @@ class Board:
     # ---- rules ----
 
     def _look(self):
-        """Reads the sensors and compares the percepts with the rules, at most every 5 ms."""
+        """Compares the sensors' percepts with the rules, at most every 5 ms."""
         now = self._ticks()
         if not self._rules or not self._perceive or ticks_diff(now, self._looked) < _LOOK_MS:
             return
@@ -387,7 +393,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # so that percepts which the reflex's function writes are kept, not compared
+                self._is_looking = False  # percepts that the reflex's function writes must not be compared
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -397,9 +403,9 @@ class Board:
     # ---- the line ----
 
     def run(self):
-        """Handles the bytes that have arrived: answers requests, carries out actions, reports a lost link. Call this in every round of the
-        program. Called from a registered function, `run` only stores the bytes, so that a receive buffer does not overflow. Raises LineGone
-        when the line is gone for good."""
+        """Handles the bytes that have arrived: answers requests, carries out actions, reports a lost link. Call this in every cycle of
+        the program. Within a registered function, `run` only stores the bytes, so the receive buffer does not overflow. Raises
+        LineGone if the line is gone for good."""
         if self._running:
             if len(self._inbox) < _MAX_WAITING:
                 self._inbox += self.line.read() or b""
@@ -430,7 +436,7 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits at most `ms` milliseconds until something arrives. Waits less if silence may end a frame, or if rules watch sensors."""
+        """Waits until something arrives, at most `ms` milliseconds. Waits less if silence may end a frame, or if rules watch sensors."""
         if self._parts:
             ms = min(ms, 1)
         elif self._rules or self._receiver.is_waiting():  # `_rules` is true while rules are set
@@ -438,7 +444,7 @@ class Board:
         self.line.wait(ms)
 
     def run_forever(self, each_round=None, ms=20):
-        """Runs the board forever. Calls `each_round` in every round; a round waits at most `ms` milliseconds."""
+        """Runs the board forever. Calls `each_round` in every cycle. A cycle waits at most `ms` milliseconds."""
         while True:
             self.run()
             if each_round:
@@ -453,7 +459,7 @@ class Board:
         self.line.write(data)
 
     def _has_left(self):
-        """Returns true if all written bytes have left at the line's rate."""
+        """Returns true if all written bytes have left, at the line's rate."""
         return not self._baud or ticks_diff(self._free_at, self._ticks()) <= 0
 
     def _say(self, kind, payload=b""):
@@ -463,10 +469,10 @@ class Board:
             kind |= frames.BUSY
         self._put(frames.frame2(kind, self._due, payload, self._session))
 
-    # ---- frames, as the receiver finds them ----
+    # ---- frames from the receiver ----
 
     def take1(self, payload):
-        """Handles a message of version 1. Its sender has no session, so a session that an earlier program began ends."""
+        """Handles a message of version 1. Its sender has no session, so an earlier program's session ends."""
         self._note_valid()
         if self._session:
             self._begin(0)
@@ -476,19 +482,19 @@ class Board:
             return
         for name, _, _ in self._actions:
             if name != text and name.startswith(text):
-                self._doubtful = text  # the length may be damaged, and the text cut short
+                self._doubtful = text  # a damaged length may have truncated the text
                 return
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Called when the next bytes show whether the last message of version 1 was read rightly."""
+        """Called when the following bytes show whether the last message of version 1 was read correctly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)
 
     def take2(self, kind, number, payload):
         self._note_valid()
-        if kind == frames.HELLO and number != self._session:  # if equal, the same HELLO has come twice
+        if kind == frames.HELLO and number != self._session:  # a repeated HELLO begins no new session
             self._begin(number)
         if kind == frames.HELLO or not self._session:
             rules = 0 if self._rules is None else self._rules.room

@@ -1,4 +1,4 @@
-"""A clock in milliseconds, and the difference of two of its times. On microcontrollers the clock wraps around."""
+"""A clock in milliseconds, and the difference of two times. On microcontrollers the clock wraps around."""
 try:
     from time import ticks_diff, ticks_ms
 except ImportError:

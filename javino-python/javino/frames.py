@@ -1,9 +1,9 @@
 """Frames of the Javino protocol, versions 1 and 2. This module finds frames in received bytes, and makes frames.
 
-The module uses no line and no clock: the caller hands in bytes, and times in milliseconds.
+The module uses no line and no clock: the caller passes in bytes, and times in milliseconds.
 """
 try:
-    from binascii import crc_hqx  # the same CRC, in C
+    from binascii import crc_hqx  # this CRC in C
 except ImportError:  # on microcontrollers
     crc_hqx = None
 
@@ -40,12 +40,12 @@ _NO, _MAYBE, _YES = 0, 1, 2
 
 
 def crc16(data, nonce=0):
-    """Returns the CRC-16/CCITT-FALSE of the bytes. With a nonce, returns the checksum that a frame of that session has."""
+    """Returns the CRC-16/CCITT-FALSE of the bytes. With a nonce, returns the checksum of a frame in that session."""
     crc = 0xFFFF ^ nonce << 8
     if crc_hqx:
         return crc_hqx(data, crc)
     for byte in data:
-        # Divides a whole byte at once by the polynomial 1021.
+        # Divides a whole byte by the polynomial 1021 in one step.
         x = (crc >> 8) ^ byte
         x ^= x >> 4
         crc = ((crc << 8) ^ (x << 12) ^ (x << 5) ^ x) & 0xFFFF
@@ -58,7 +58,7 @@ def frame1(payload):
 
 
 def frame2(kind, number, payload, nonce):
-    """Returns a frame of version 2, with escapes, in the session with this nonce. The payload has at most 255 bytes."""
+    """Returns a frame of version 2 in the session with this nonce, with escapes. The payload has at most 255 bytes."""
     body = bytes((len(payload), kind, number)) + payload
     crc = crc16(body, 0 if kind == HELLO or kind & ~(REFUSED | BUSY) == WELCOME else nonce)
     body += bytes((crc >> 8, crc & 255))
@@ -66,7 +66,7 @@ def frame2(kind, number, payload, nonce):
 
 
 def _header(data, at, end):
-    """Returns _YES if a preamble and two hex digits are at this index, _NO if not, _MAYBE if there are too few bytes to know."""
+    """Returns _YES if a preamble and two hex digits are at this index, _NO if not, _MAYBE if there are too few bytes."""
     for i in range(min(_HEADER, end - at)):
         byte = data[at + i]
         if byte != _PREAMBLE[i] if i < 4 else byte not in _HEX:
@@ -75,15 +75,15 @@ def _header(data, at, end):
 
 
 def idle_ms(baud=None):
-    """Returns the milliseconds of silence that end an unfinished frame: 100, or 20 byte times at this rate if that is longer."""
+    """Returns the milliseconds of silence that end an unfinished frame: 100, or 20 byte times at this rate if they take longer."""
     return max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS
 
 
 class Receiver:
     """Finds the frames for a board, on a line with frames of both versions.
 
-    `sink` has three methods. `take1(payload)` and `take2(kind, number, payload)` are called when the last byte of a frame has come.
-    `followed(rightly)` is called with true if the bytes behind a frame of version 1 show that it was read rightly, else with false.
+    `sink` has three methods. `take1(payload)` and `take2(kind, number, payload)` are called after the last byte of a frame.
+    `followed(rightly)` tells whether the bytes after a frame of version 1 show that it was read correctly.
     """
 
     def __init__(self, sink, timeout=_IDLE_MS, longest=MAX_PAYLOAD):
@@ -92,12 +92,12 @@ class Receiver:
         self._sink = sink
         self._timeout = timeout
         self._longest = longest
-        self._last = None  # the time at which bytes last came
-        self._body = None  # the frame of version 2 that is being read, without escapes
+        self._last = None  # time at which bytes last came
+        self._body = None  # the unescaped bytes of the version 2 frame being read
         self._escaped = False
         self._window = b""  # bytes that may belong to a frame of version 1
-        self._held = 0  # length of the frame at the window's start if it was handed out; else 0
-        self._quiet = True  # true: a frame of version 1 may begin at the window's start
+        self._held = 0  # length of the delivered frame at the window's start, or 0
+        self._quiet = True  # whether a frame of version 1 may begin at the window's start
 
     def receive(self, data, now):
         """Takes bytes. Only `idle` notices silence, so bytes that have waited in a receive buffer do not count as late."""
@@ -105,7 +105,7 @@ class Receiver:
         self._read(data)
 
     def idle(self, now, diff=lambda a, b: a - b):
-        """Call this with the present time if no byte waits. `diff` subtracts times of a clock that wraps around."""
+        """Call this with the present time if no byte is waiting. `diff` subtracts times of a clock that wraps around."""
         silence = self._timeout + 1 if self._last is None else diff(now, self._last)
         if silence > self._timeout:
             while self._window:
@@ -118,7 +118,7 @@ class Receiver:
             self._sink.followed(True)
 
     def is_waiting(self):
-        """Returns true if a silence would change something: drop bytes or end a frame."""
+        """Returns true if a silence would drop bytes or end a frame."""
         return bool(self._window) or self._body is not None
 
     def _read(self, data):
@@ -128,7 +128,7 @@ class Receiver:
     # ---- version 1 ----
 
     def _read1(self, data):
-        """Reads bytes outside of frames of version 2. If such a frame begins, returns the bytes after its first byte, else none."""
+        """Reads bytes outside of frames of version 2. If a frame of version 2 begins, returns the bytes after its first byte."""
         window = self._window + data
         end = len(window)
         at = 0
@@ -173,7 +173,7 @@ class Receiver:
             self._sink.followed(rightly)
 
     def _give_up(self):
-        """Handles a silence. Forgets a frame that was handed out; reads an incomplete frame again from its second byte on."""
+        """Handles a silence. Forgets a delivered frame, or reads an incomplete frame again from its second byte on."""
         window, held = self._window, self._held
         self._window = b""
         if held and (len(window) == held or _header(window, held, len(window)) == _YES):
@@ -191,7 +191,7 @@ class Receiver:
         self._escaped = False
 
     def _read2(self, data):
-        """Reads on in a frame of version 2. Returns the bytes behind the frame's end."""
+        """Continues to read a frame of version 2. Returns the bytes after the frame's end."""
         for i in range(len(data)):
             byte = data[i]
             if byte == START:
@@ -215,7 +215,7 @@ class Receiver:
         return data[i + 1:]
 
     def _take(self, byte):
-        """Takes one byte of the frame, after escapes are removed. Sets `_body` to None at the end of the frame."""
+        """Takes one unescaped byte of the frame. Sets `_body` to None at the end of the frame."""
         body = self._body
         body.append(byte)
         size = len(body)
@@ -224,6 +224,6 @@ class Receiver:
         elif size == body[0] + 5:
             self._body = None
             nonce = 0 if body[1] == HELLO else self.session
-            is_unchecked = body[1] != HELLO and not nonce  # without a session the checksum is unknown; the answer is WELCOME 00
+            is_unchecked = body[1] != HELLO and not nonce  # without a session the board cannot check the frame, and answers WELCOME 00
             if is_unchecked or crc16(body, nonce) == 0:  # the CRC of bytes followed by their CRC is 0
                 self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

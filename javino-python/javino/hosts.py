@@ -8,17 +8,17 @@ import time
 from .lines import LineGone, Port
 
 _CREDIT = 255  # the system's own buffer is larger
-_PATIENCE = 1.0  # seconds after which bytes that nobody takes are dropped, as a serial line drops them
+_PATIENCE = 1.0  # seconds after which bytes that nobody takes are dropped, as on a serial line
 
 
 def open_named(name, baud=None):
     """Opens a line by its name and returns it.
 
-    `/dev/ttyGS0` or `COM3` is a serial port. `pty` is a pseudo-terminal; the line's `name` is the device that a computer opens.
-    `pty:/tmp/board` also makes a link to that device. `tcp://HOST:PORT` listens there, for one computer at a time. `-` is standard input
-    and output.
+    `/dev/ttyGS0` or `COM3` is a serial port. `pty` is a pseudo-terminal. The line's `name` is then the device that a computer
+    opens. `pty:/tmp/board` also makes a link to that device. `tcp://HOST:PORT` listens there, for one computer at a time. `-` is
+    standard input and output.
 
-    Raises ValueError for a name of another form. Raises OSError with the system's reason if the line cannot be opened.
+    Raises ValueError for any other name. Raises OSError with the system's reason if the line cannot be opened.
     """
     if name == "-":
         return Descriptor(sys.stdin.fileno(), sys.stdout.fileno(), "standard input and output")
@@ -70,8 +70,8 @@ def _pyserial(name, baud):
 
 
 def _write_all(send, target, data):
-    """Writes all bytes by `send`, and waits while `target` takes none. If `target` takes none for a second, drops the rest and returns
-    false."""
+    """Writes all bytes with `send`. Waits while `target` takes no bytes. If `target` takes none for a second, drops the rest and
+    returns false."""
     end = time.monotonic() + _PATIENCE
     while data:
         try:
@@ -124,7 +124,7 @@ class Descriptor:
 
 
 class PseudoTerminal(Descriptor):
-    """A pseudo-terminal. `name` is the device that a computer opens. Until `close`, the terminal keeps its settings and bytes."""
+    """A pseudo-terminal. `name` is the device that a computer opens. The terminal keeps its settings and bytes until `close`."""
 
     def __init__(self, link=""):
         import tty
@@ -146,7 +146,7 @@ class PseudoTerminal(Descriptor):
 
 
 class Listener:
-    """A line that listens for computers, and talks to the computer that connected last."""
+    """A line that listens for computers. It serves the computer that connected last."""
 
     credit = _CREDIT
 

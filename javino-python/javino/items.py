@@ -1,4 +1,5 @@
-"""Answers of version 2: percepts as a list of items. A text of a new shape goes whole; later percepts of that shape go as digits only."""
+"""Answers of version 2: percepts as a list of items. The first text of a shape goes out whole. Later percepts with this shape go out
+as digits."""
 
 MAX_SHAPES = 126
 _BY_NUMBER = 0x80
@@ -9,7 +10,8 @@ _END_OF_NUMBER = 0xF
 
 
 def _shape(text, halves):
-    """Returns the text with one 0 in place of each run of digits. Appends the digits to `halves` as half bytes, an F behind each run."""
+    """Returns the text with one 0 in place of each run of digits. Appends the digits to `halves` as half bytes, with an F after each
+    run."""
     shape = bytearray()
     was_digit = False
     for byte in text:
@@ -27,7 +29,7 @@ def _shape(text, halves):
 
 
 class Shapes:
-    """A session's table of the shapes that were sent, and the answers written with it."""
+    """A session's table of sent shapes. Writes answers."""
 
     def __init__(self, room=MAX_SHAPES):
         self._room = min(room, MAX_SHAPES)
@@ -37,9 +39,9 @@ class Shapes:
         return len(self._ids)
 
     def write(self, texts, known):
-        """Returns the items of an answer. `known` is the number of shapes that the computer knew when it sent the request."""
+        """Returns the items of an answer. `known` is the number of shapes that the computer knew at its request."""
         items = bytearray()
-        first, count, halves = 0, 0, bytearray()  # a row of percepts with consecutive ids, which are sent only as digits
+        first, count, halves = 0, 0, bytearray()  # a row of percepts with consecutive ids, sent as digits
         for text in texts:
             digits = bytearray()
             id = self._id(text, digits)
@@ -58,7 +60,7 @@ class Shapes:
 
     @classmethod
     def write_without_ids(cls, texts):
-        """Returns the items of texts that get no ids, such as the texts of a description."""
+        """Returns the items of texts that get no ids, such as a description."""
         items = bytearray()
         for text in texts:
             cls._write_text(items, text, _WITHOUT_ID)

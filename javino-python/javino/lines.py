@@ -7,18 +7,18 @@ IS_COMPUTER = sys.implementation.name == "cpython"
 
 
 class LineGone(OSError):
-    """The line is gone and does not come back by itself: a cable was pulled, or the input has ended."""
+    """The line is gone for good: a cable was unplugged, or the input has ended."""
 
 
 def tell(text):
-    """Warns the user of a computer, once for each text. A microcontroller prints nothing, since its output is the line."""
+    """Warns the user of a computer, once for each text. A microcontroller prints nothing, because its output is the line."""
     if IS_COMPUTER:
         import warnings
         warnings.warn(text, RuntimeWarning, stacklevel=2)
 
 
 def open_line(line, baud=None):
-    """Returns a line, given a name, an open port or, for the default, None. See `hosts.open_named` for names, `Board` for the default."""
+    """Returns a line for a name, an open port, or None. `hosts.open_named` explains names. `Board` explains None."""
     if line is not None and not isinstance(line, str):
         return line if hasattr(line, "wait") else Port(line)
     if IS_COMPUTER:
@@ -30,7 +30,7 @@ def open_line(line, baud=None):
 
 
 def _wait(is_ready, ms):
-    """Waits at most `ms` milliseconds until `is_ready` returns true; calls it every millisecond."""
+    """Waits at most `ms` milliseconds until `is_ready` returns true. Calls it every millisecond."""
     try:
         from time import sleep_ms
     except ImportError:
@@ -44,7 +44,7 @@ def _wait(is_ready, ms):
 
 
 class Port:
-    """A line on an open port: `machine.UART`, `busio.UART`, a pyserial port, or an object with the same `read` and `write`."""
+    """A line on an open port: `machine.UART`, `busio.UART`, a pyserial port, or an object with equivalent `read` and `write`."""
 
     def __init__(self, port):
         self._port = port
@@ -74,7 +74,7 @@ class Port:
 
 
 class Console:
-    """Standard input and output of a microcontroller: its USB port. Here the byte 03 is data, and does not interrupt the program."""
+    """Standard input and output of a microcontroller: its USB port. The byte 03 is data, and does not interrupt the program."""
 
     def __init__(self):
         try:

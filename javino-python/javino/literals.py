@@ -1,5 +1,5 @@
-"""The texts of literals: of actions that arrive, and of percepts that a program writes. Texts are `str` with characters of ISO 8859-1, one
-for each byte."""
+"""The texts of literals: arriving actions, and percepts of the program. Texts are `str` with characters of ISO 8859-1, one character a
+byte."""
 
 _OPENING = "([{"
 _CLOSING = ")]}"
@@ -17,7 +17,7 @@ def to_bytes(text):
 
 
 def to_text(data):
-    """Returns the text of bytes."""
+    """Returns the bytes as text."""
     for byte in data:
         if byte > 127:
             return "".join([chr(b) for b in data])
@@ -33,7 +33,7 @@ def functor_of(text):
 
 
 def split(text):
-    """Returns (functor, arguments, is_whole). Arguments are texts without the blanks around them. `is_whole` is false if the text is no
+    """Returns (functor, arguments, is_whole). Arguments are texts without surrounding blanks. `is_whole` is false if the text is no
     literal: a bracket, a quote or an argument is missing, or text follows the literal."""
     functor = functor_of(text)
     i = 0
@@ -85,7 +85,7 @@ def _digits(text, at):
 
 
 def is_number(text):
-    """Returns true if the text is a number: perhaps a sign, digits, perhaps a point and more digits."""
+    """Returns true if the text is a number: an optional sign, digits, and optionally a point and digits."""
     begin = 1 if text[:1] in ("+", "-") and text else 0
     point = _digits(text, begin)
     if point == begin or point == len(text):
@@ -106,8 +106,8 @@ def _scaled(text, places):
 
 
 def compare(a, b):
-    """Compares two numbers, given as texts. Returns less than 0 if `a < b`, 0 if they are equal, else more than 0. The comparison is exact;
-    with a microcontroller's floats it would not be."""
+    """Compares two numbers, given as texts. Returns a negative number if `a < b`, 0 if they are equal, else a positive number. The
+    comparison is exact, unlike with a microcontroller's floats."""
     places = len(a) + len(b)
     a, b = _scaled(a, places), _scaled(b, places)
     return (a > b) - (a < b)
@@ -144,8 +144,8 @@ def _unquoted(text):
 
 
 def term(value):
-    """Returns how a percept shows a Python value: number, True, False or list; text as an atom if it can be one, else as a string. Raises
-    ValueError for a float that is infinite or no number, TypeError for other values."""
+    """Returns the text of a Python value in a percept: of a number, True, False, a list or a str. A str becomes an atom if possible,
+    else a string. Raises ValueError for a float that is infinite or NaN, and TypeError for other values."""
     if value is True or value is False:
         return "true" if value else "false"
     if isinstance(value, int):

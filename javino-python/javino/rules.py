@@ -1,4 +1,4 @@
-"""Critical rules that the computer sets and the board watches: conditions on percepts."""
+"""Critical rules from the computer, which the board watches: conditions on percepts."""
 from .literals import compare, functor_of, is_number, split
 
 MAX_PERCEPT = 253
@@ -13,13 +13,13 @@ _REFLEX = "\x02"
 
 
 def _word(text, begin):
-    """Returns the characters before the next 00, and the index behind that 00. Returns (None, 0) if there is no 00."""
+    """Returns the characters before the next 00, and the index after that 00. Returns (None, 0) if there is no 00."""
     end = text.find("\x00", begin)
     return (None, 0) if end < 0 else (text[begin:end], end + 1)
 
 
 def read(text):
-    """Returns the rule of a command's text, without its number, as (functor, conditions, reflex). Returns None if the text is no rule."""
+    """Reads a command's text without the rule's number. Returns (functor, conditions, reflex), or None if the text is no rule."""
     functor, at = _word(text, 0)
     if not functor:
         return None
@@ -54,8 +54,8 @@ def _holds(condition, arguments, was_met):
 
 
 def is_met(rule, percept, was_met=False):
-    """Returns true if the percept has the rule's functor and meets all conditions of the rule. `was_met` tells whether the rule was met at
-    the last look."""
+    """Returns true if the percept has the rule's functor and matches all conditions. `was_met` tells whether the rule matched at the
+    last look."""
     if functor_of(percept) != rule[0]:
         return False
     arguments = split(percept)[1]
@@ -83,7 +83,7 @@ class Rules:
         self._met = ()
 
     def set(self, text):
-        """Carries out a command that sets or removes rules. Returns false if the command is refused."""
+        """Carries out a command that sets or removes rules. Returns false if it refuses the command."""
         number = ord(text[0])
         if number == 0 and len(text) == 1:
             self.forget()
@@ -107,12 +107,12 @@ class Rules:
         return False
 
     def begin(self):
-        """Begins a look at the sensors."""
+        """Begins a comparison of the sensors' percepts with the rules."""
         self._seen = []
 
     def newly_met(self, percept):
-        """Returns (number, reflex) of each rule that begins to be met by this percept: no percept met the rule in the last look, nor,
-        before this percept, in this look."""
+        """Returns (number, reflex) of each rule that begins to match with this percept. Such a rule matched no percept in the last
+        look, and no earlier percept in this look."""
         found = []
         for number, rule in self._rules:
             was_met = number in self._met
@@ -123,5 +123,5 @@ class Rules:
         return found
 
     def end(self):
-        """Ends the look. Rules that no percept met in this look can begin to be met in the next."""
+        """Ends the look. Rules that matched no percept in this look can begin to match in the next."""
         self._met = tuple([number for number in self._seen if number in [each[0] for each in self._rules]])

@@ -1,4 +1,4 @@
-# Returns the length of the frame at the start: 6 while the header is incomplete, 0 if there is no frame.
+# Returns the length of the frame at the start. Returns 6 while the header is incomplete, and 0 if there is no frame.
 def length(data):
     head = data[:4]
     if head != b"fffe"[:len(head)]:
@@ -14,7 +14,8 @@ def length(data):
     return 6 + size
 
 
-# Returns three values: the data from the first frame on; its length, 0 if none is whole; whether a frame or silence follows it.
+# Returns three values: the data from the first frame on, the frame's length (0 if incomplete), and whether a frame or silence follows
+# it.
 def find(data, silence):
     while data:
         size = length(data)

@@ -1,5 +1,5 @@
-# Version 1 of the Javino protocol for the first micro:bit. Its MicroPython has 9 KB of memory and calls at most six functions deep. So
-# run() calls little. The files are small, since each file is compiled by itself.
+# Version 1 of the Javino protocol for the first micro:bit. Its MicroPython has 9 KB of memory and limits calls to a depth of six. run()
+# therefore makes few calls. The files are small, because MicroPython compiles each file separately.
 from microbit import running_time, uart
 from micropython import kbd_intr
 
@@ -45,7 +45,7 @@ class Board:
         uart.write(data)
 
     def run(self):
-        now = running_time()  # read before the bytes, since a later time would count as silence
+        now = running_time()  # read before the bytes: a later time would count as silence
         if uart.any():
             self._in += uart.read(64)
             self._heard = now
@@ -70,7 +70,7 @@ class Board:
                     size = 1
             self._in = self._in[size:]
         if self._lost and now - self._valid > self._lost[0]:
-            self._valid = now + 0x20000000  # not called again until something arrives
+            self._valid = now + 0x20000000  # no further call until something arrives
             self._lost[1]()
 
     def run_forever(self, step=None):

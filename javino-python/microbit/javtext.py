@@ -33,7 +33,7 @@ def split(text):
     return parts
 
 
-# Returns the function of an action. Unless `sure` is true, returns none if the text may be the beginning of another action.
+# Returns the function of an action, or None. If `sure` is false, also returns None if the text may be the beginning of another action.
 def choose(act, parts, sure):
     name = parts[0]
     found = act.get(name)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Measures how many requests for twelve percepts a board in Python answers a second, one after the other, on a pseudo-terminal. With
-MicroPython it also measures memory.
+"""Measures how many requests for twelve percepts a second a board in Python answers on a pseudo-terminal. With MicroPython also
+measures memory.
 
     tests/bench.py [PYTHON...] measures with these interpreters; python3 by default
 """

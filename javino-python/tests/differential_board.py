@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The board of ../../javino-arduino/tests/differential.py, in Python instead of C; the test describes the commands."""
+"""A board in Python for ../../javino-arduino/tests/differential.py, in place of the board in C. The test describes the commands."""
 import pathlib
 import struct
 import sys
@@ -11,7 +11,7 @@ from memory import Memory  # noqa: E402
 
 
 class KnowsTexts(javino.Board):
-    """Takes whole texts for actions, as the test's program does."""
+    """Compares whole texts with action names, like the test's program."""
 
     def __init__(self, now, carried):
         super().__init__(Memory(), credit=63, shapes=64, ticks=lambda: now[0])
@@ -20,7 +20,7 @@ class KnowsTexts(javino.Board):
             self.on_action(name, lambda name=name: self.carry_out(name), arguments)
 
     def _look(self):
-        """Looks only when the test has it look."""
+        """Checks the rules only when the test asks for it."""
         if self.may_look:
             super()._look()
             self.may_look = False
@@ -49,7 +49,7 @@ def main():
                 board.watch_rules()
             board.perceive(lambda: [board.add_percept(text.decode("latin1")) for text in texts])
         elif what == b"b":
-            board.run()  # finds that nothing has come before
+            board.run()  # notices the silence before the bytes
             board.line.arrives = data
             board.run()
         elif what == b"l":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A board in Python on a pseudo-terminal, end to end, as the sketches on the simulated Uno are tested. Prints what it measures.
+"""Tests a board in Python on a pseudo-terminal, end to end. Prints its measurements.
 
     e2e.py PYTHON...    the interpreters: python3, micropython
 """
@@ -22,7 +22,7 @@ DAMAGED_SECONDS = 3
 
 
 class Board:
-    """The test's board as a process: on its standard input and output, or on the pseudo-terminal that it makes itself."""
+    """The test's board as a process. It uses standard input and output, or its own pseudo-terminal."""
 
     def __init__(self, python, own_terminal=False):
         command = [python, str(HERE / "boards" / "echo.py"), str(HERE.parent)]
@@ -52,7 +52,7 @@ class Board:
         self.line.close()
 
     def carried(self, seconds=0.0):
-        """Returns the actions that were carried out since the last call."""
+        """Returns the actions carried out since the last call."""
         while select.select([self.process.stderr], [], [], seconds)[0]:
             data = os.read(self.process.stderr.fileno(), 65536)
             if not data:
@@ -63,11 +63,11 @@ class Board:
         return [line.decode() for line in lines]
 
     def acted(self, seconds=0.0):
-        """Like carried(), without "lost", which a busy machine causes: it halts this program for longer than the board waits for it."""
+        """Like carried(), but without "lost". A busy machine may halt this program for longer than the board's limit."""
         return [text for text in self.carried(seconds) if text != "lost"]
 
     def next(self):
-        """Returns the next action that is carried out; fails if none is."""
+        """Returns the next action that is carried out. Fails if there is none."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             found = self.acted(0.5)
@@ -89,7 +89,7 @@ def answers_acts_and_refuses_in_both_versions(python):
         equal(session.ask("(count)"), "count(3);")
         for _ in range(3):
             equal(session.ask(), 'count(3);dist(f,100);text("a \\"b\\"; c",1.5,true,[1,x]);')
-        for _ in range(12):  # within a session a message of version 1 counts only in silence, which a halted board does not hear
+        for _ in range(12):  # within a session, version 1 needs a silence before it; a halted board may miss the silence
             time.sleep(0.05)
             line.write(frame1(b"ledOn"))
             carried = board.acted(5.0)
@@ -145,7 +145,7 @@ def a_silent_computer_is_noticed_once(python):
         for _ in range(2):
             board.session.ask()
             check(board.carried(PATIENCE), "the silence is not noticed")
-            board.carried(0.6)  # the first one may have been of a silence before, on a busy machine
+            board.carried(0.6)  # on a busy machine, the first "lost" may be for an earlier silence
             equal(board.carried(0.8), [])
 
 
@@ -209,7 +209,7 @@ def version_1_carries_out_no_other_action_on_a_damaged_line(python):
             board.line.messages(0.3)
             for act in board.acted():
                 carried.append(act)
-                # The number may be another one, since version 1 has no checksum.
+                # The number may differ, because version 1 has no checksum.
                 equal(act.split("(")[0], text.split("(")[0])
         check(sent > 100 and damaged[0] > 5, f"only {sent} actions and {damaged[0]} damaged bytes in the time")
         check(sent - len(carried) <= 3 * damaged[0], f"{sent - len(carried)} of {sent} actions lost by {damaged[0]} damaged bytes")
@@ -219,7 +219,7 @@ def version_1_carries_out_no_other_action_on_a_damaged_line(python):
 
 def the_boards_own_terminal_outlives_the_computer(python):
     if "micro" in python:
-        return  # a microcontroller has none
+        return  # a microcontroller has no pseudo-terminal
     with Board(python, own_terminal=True) as board:
         device = os.ttyname(board.line.fd)
         for nonce in range(20, 24):

@@ -2,7 +2,7 @@
 
 
 class Memory:
-    """A line whose far end is the test."""
+    """A line in memory. The test is the far end."""
 
     def __init__(self):
         self.arrives, self.sent = b"", b""

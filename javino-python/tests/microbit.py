@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The module for the first micro:bit on its MicroPython, which QEMU runs. Prints what it measures.
+"""Tests the module for the first micro:bit, on its MicroPython under QEMU. Prints its measurements.
 
-    microbit.py FIRMWARE    the file firmware.hex of Debian's package firmware-microbit-micropython
+    microbit.py FIRMWARE    firmware.hex of Debian's package firmware-microbit-micropython
 """
 import os
 import pathlib
@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE.parent.parent / "javino-arduino" / "tests" / "e2e"))
 from board import PATIENCE, FarEnd, frame1  # noqa: E402
 from cases import check, damage_one_in_200, equal, texts  # noqa: E402
 
-# At most as many bytes as its receive buffer of 64 holds, with the end of a line.
+# With the end of a line, a piece must fit into the receive buffer of 64 bytes.
 PIECE = 24
 
 FILES = ("javtext.py", "javframe.py", "javino.py")
@@ -66,7 +66,7 @@ class MicroBit:
         self.line.close()
 
     def until(self, end):
-        """Returns the prompt's output up to this text."""
+        """Returns the prompt's output before this text."""
         limit = time.monotonic() + PATIENCE
         while end not in self.seen:
             if not select.select([self.line.fd], [], [], max(0.0, limit - time.monotonic()))[0]:
@@ -76,7 +76,7 @@ class MicroBit:
         return found
 
     def do(self, code):
-        """Has the prompt, which does not echo, carry out a line."""
+        """Runs a line of code at the prompt, which does not echo."""
         self.line.write(code.encode() + b"\x04")
         self.until(b"OK")
         self.until(b"\x04")
@@ -90,7 +90,7 @@ class MicroBit:
         self.do("f.close()")
 
     def start(self, files):
-        """Copies files, the last of which is main.py, and starts that."""
+        """Copies files and starts the last one, main.py."""
         self.until(b">>> ")
         self.line.write(b"\x01")
         self.until(b"\r\n>")
@@ -103,14 +103,14 @@ class MicroBit:
 
 
 def done(text):
-    """Returns the actions that an answer lists, but for the link that was lost meanwhile."""
+    """Returns the actions in an answer, without "lost"."""
     found = [percept[5:-1].strip('"') for percept in text.split(";") if percept.startswith("done(")]
     return [action for action in found if action != "lost"]
 
 
 def exchange(board, frame=b""):
-    """Returns the answer to a request behind this frame. Sends both again if the frame is lost, since a busy machine may halt QEMU inside
-    it."""
+    """Sends the frame and a request, and returns the answer. Repeats both if no answer comes: a busy machine may halt QEMU within a
+    frame."""
     board.line.messages()
     for _ in range(20):
         board.line.write(frame + frame1(b"getPercepts"))
@@ -151,7 +151,7 @@ def carries_out_no_other_action_on_a_damaged_line(board):
         silent = 0 if answers else silent + 1
         check(silent < 20, f"silent after {len(sent)} actions")
         carried += [action.split(" ")[0] for answer in answers for action in done(answer)]
-    # The number may be another one, since version 1 has no checksum.
+    # The number may differ, because version 1 has no checksum.
     rest = iter(sent)
     check(all(action in rest for action in carried), f"carried out what was not sent: {carried} of {sent}")
     check(len(carried) > 200, f"{len(carried)} of {len(sent)} actions carried out")

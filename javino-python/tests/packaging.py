@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The package as pip builds and installs it, without a network: twice the same wheel, in an environment of its own, with all modules."""
+"""Builds and installs the package with pip, without a network. Checks that two wheels are equal and that all modules are installed."""
 import ast
 import json
 import pathlib
@@ -9,7 +9,7 @@ import tempfile
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HOSTS_ONLY = {"hosts.py"}  # modules that no microcontroller needs
+HOSTS_ONLY = {"hosts.py"}  # modules only for computers
 
 
 def run(*command, cwd=None):
@@ -33,7 +33,7 @@ def wheels(python, folder):
 
 
 def main():
-    # A microcontroller gets the package without the modules that are only for computers.
+    # The package for microcontrollers leaves out modules for computers.
     listed = json.loads((ROOT / "package.json").read_text())
     expected = sorted(f"javino/{path.name}" for path in (ROOT / "javino").glob("*.py") if path.name not in HOSTS_ONLY)
     check([each[0] for each in listed["urls"]] == expected, f"package.json should list {expected}")

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the examples, and the Python on pages, against a computer that greets the board, asks it for its description and for percepts, and
-sends it every action. `stubs` takes the place of hardware: it shows that the programs make the right calls, not that they drive real
-hardware."""
+"""Runs the examples and the Python programs in the docs. A test computer greets each board, requests its description and percepts, and
+sends every action. `stubs` replaces hardware, so this checks the programs' calls, not real hardware."""
 import pathlib
 import re
 import sys
@@ -17,7 +16,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT.parent / "docs").glob("*.md"))]
 
 
 class Computer:
-    """A line whose far end sends one request after the other, and is gone then."""
+    """A line whose far end sends one request after another, and then is gone."""
 
     name = "the test's line"
 
@@ -45,7 +44,7 @@ class Computer:
 
 
 def run(name, text):
-    """Returns the functors and the actions of the program."""
+    """Returns the percepts and the actions of the program."""
     computer = Computer()
     opened, board_module.open_line = board_module.open_line, lambda line, baud=None: computer
     argv, sys.argv = sys.argv, [name]

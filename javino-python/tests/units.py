@@ -24,11 +24,11 @@ class Bench:
 
     def __init__(self, **options):
         self.now, self.line, self.carried = 0, Memory(), []
-        self.nonce = 7  # of the newest HELLO
+        self.nonce = 7  # nonce of the newest HELLO
         self.board = javino.Board(self.line, ticks=lambda: self.now, **options)
 
     def hear(self, kind, number, payload=b""):
-        """Returns the frames that answer this one."""
+        """Sends a frame and returns the board's frames."""
         if kind == frames.HELLO:
             self.nonce = number
         self.line.arrives = frames.encode(frames.Frame(kind, number, payload), self.nonce)
@@ -208,7 +208,7 @@ class Acting(unittest.TestCase):
         bench.line.arrives = b"fffe05ledOn"
         bench.board.run()
         self.assertEqual(bench.carried, [("ledOn", 0)])
-        bench.line.arrives = b"fffe03led"  # of a damaged size: On follows
+        bench.line.arrives = b"fffe03led"  # a damaged length: "On" follows
         bench.board.run()
         bench.now += 3
         bench.board.run()

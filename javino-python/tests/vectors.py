@@ -1,4 +1,5 @@
-"""The vectors of both versions, which the implementations in Java and C read too. Runs on CPython and MicroPython: vectors.py FOLDER"""
+"""Checks the test vectors of both versions, which the implementations in Java and C also check. Runs on CPython and MicroPython:
+vectors.py FOLDER"""
 import json
 import sys
 
@@ -44,7 +45,7 @@ class Sink:
 
 
 def play(case, sink, receiver, end):
-    """Feeds the chunks of a case."""
+    """Passes the chunks of a case to the receiver."""
     now = 0
     for chunk in case["chunks"]:
         now += chunk["gapMs"]
@@ -63,7 +64,7 @@ def version1(vectors):
     for case in vectors["decode"]:
         sink = Sink()
         play(case, sink, Receiver(sink, case["timeoutMs"]), case["endGapMs"])
-        # Those vectors are only of version 1, in which A5 is a byte like any other.
+        # These vectors are only for version 1, in which A5 is an ordinary byte.
         if "a5" not in "".join([chunk["hex"] for chunk in case["chunks"]]):
             expect(case, "the messages", sink.found1, case["messages"])
 
@@ -185,9 +186,9 @@ def conversations(vectors):
                 program = Program(case["board"])
             program.take(step)
             found, expected = program.line.frames(), step["from"]
-            if step.get("look"):  # the board may report several rules in any order
+            if step.get("look"):  # the order of several rules may differ
                 found, expected = sorted(found), sorted(expected)
-            # Of WELCOME only the nonce is compared: the rest describes the board.
+            # WELCOME describes the board, so only its nonce is compared.
             expect(case, "what it sends", [f[:6] if int(f[:2], 16) & 0x9F == 0x80 else f for f in found],
                    [f[:6] if int(f[:2], 16) & 0x9F == 0x80 else f for f in expected])
             expect(case, "what it carries out", program.carried, step.get("carried", []))
@@ -205,7 +206,7 @@ def conversations(vectors):
 def vocabulary(case, actions):
     names = [name for name, _ in actions]
     if len(set(names)) < len(names) or len(names) > 126:
-        return  # a program's own names differ, and are few enough
+        return  # a program has at most 126 names, all different
     program = Program({"actions": actions, "refuses": [], "later": []})
     program.take({"to": ["1007"]})
     program.line.frames()

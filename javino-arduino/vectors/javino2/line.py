@@ -6,6 +6,7 @@ from .frames import START, TO_BOARD, Receiver
 
 class Line:
     """Finds frames of version 2, and valid frames of version 1. Passes each to `deliver`, as a Frame or as a payload of version 1.
+
     `session` is the nonce of the board's present session, or 0. Set `session` before the next byte comes, at the latest in `deliver`.
     """
 

@@ -1,6 +1,6 @@
-"""A board for the tests: writes every action that it carries out to standard error. echo.py FOLDER [LINE [SEED]]
+"""A board for the tests. Writes every action that it carries out to standard error. echo.py FOLDER [LINE [SEED]]
 
-With a seed one byte in 200 is damaged in both directions.
+With a seed, one byte in 200 is damaged, in both directions.
 """
 import sys
 
@@ -14,7 +14,7 @@ if hasattr(board.line, "name"):
 
 
 def harm(seed):
-    """Damages what the line carries from now on."""
+    """Damages one byte in 200 on the line from now on."""
     import random
     rng = random.Random(seed)
     read, write = board.line.read, board.line.write
@@ -44,7 +44,7 @@ def speed(value):
 
 
 def grip(ends):
-    """Ends well with true and kept, badly with false and dropped; with kept and dropped when somebody has asked for closing."""
+    """Succeeds with true and kept, fails with false and dropped. With kept and dropped, ends only after a request for closing."""
     note("grip(%s)" % ends)
     state["closing"], state["begun"], state["ok"] = board.later(), ticks_ms(), ends in ("true", "kept")
     state["asked"] = ends in ("true", "false")

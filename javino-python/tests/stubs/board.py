@@ -1,2 +1,2 @@
-"""Stands for the pins of CircuitPython."""
+"""The pins of CircuitPython."""
 LED = A0 = None

@@ -1,4 +1,4 @@
-"""Stands for CircuitPython's module, as far as the examples use it."""
+"""The part of CircuitPython's module that the examples use."""
 
 
 class Direction:

@@ -1,4 +1,4 @@
-"""Stands for gpiozero, as far as the examples use it."""
+"""The part of gpiozero that the examples use."""
 
 
 class Robot:

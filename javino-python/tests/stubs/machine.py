@@ -1,4 +1,4 @@
-"""Stands for MicroPython's machine, as far as the examples use it, and for its clock."""
+"""The part of MicroPython's machine that the examples use, and MicroPython's clock."""
 import time
 
 time.ticks_ms = lambda: time.monotonic_ns() // 1000000

@@ -1,4 +1,4 @@
-"""Stands for the micro:bit's module."""
+"""Replaces the micro:bit's module."""
 
 
 class _Display:

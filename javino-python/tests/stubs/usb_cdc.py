@@ -1,2 +1,2 @@
-"""Stands for the USB ports of CircuitPython."""
+"""Replaces the USB ports of CircuitPython."""
 data = None
