@@ -6,9 +6,9 @@ sealed interface Condition {
     /**
      * A condition on the argument at [index], counted from 0. A percept without that argument does not meet the condition.
      *
-     * @property until a second limit. Once a sensor's number has met [test], the condition continues to hold while the numbers meet the
-     * same comparison with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in this
-     * argument come from one sensor
+     * @property until a second limit. Once a sensor's number has met [test], the condition holds until a number fails [test]'s comparison
+     *     with this limit. Null: the condition holds only while the numbers meet [test]. Percepts that differ only in this argument come
+     *     from one sensor
      * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
     data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
@@ -17,7 +17,7 @@ sealed interface Condition {
             until?.let { requireBeyond(test, it) }
         }
 
-        /** The comparison with the second limit: a condition that holds then holds until this fails; null: there is none. */
+        /** Returns the comparison with the second limit, or null. A condition that holds continues to hold until this comparison fails. */
         internal fun untilTest(): TermTest.Compare? =
             until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
 
@@ -25,8 +25,8 @@ sealed interface Condition {
     }
 
     /**
-     * A condition on the annotations called [name]: the percept must have one whose first argument meets all [tests]. If there are no
-     * tests, the percept must only have an annotation called [name].
+     * A condition on annotations. The percept must have an annotation called [name] whose first argument meets all [tests]. If there are
+     * no tests, the annotation alone is enough.
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())

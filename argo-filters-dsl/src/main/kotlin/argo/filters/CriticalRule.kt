@@ -1,15 +1,16 @@
 package argo.filters
 
 /**
- * A rule for urgent percepts. The filter keeps urgent percepts even if other rules drop them, and never holds them back. An agent perceives
- * urgent percepts before others that wait. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether a percept
- * meets the rule.
+ * A rule for urgent percepts. The filter keeps urgent percepts even if other rules drop them, and never holds them back. An agent
+ * perceives urgent percepts before other waiting percepts. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides
+ * whether a percept meets the rule.
  *
  * @property rule the rule that the percepts meet; it has no rate
- * @property reflex the command that ARGO sends for an urgent percept before the agent reasons; null: none. A reflex has 1 to
- *   [MAX_REFLEX_LENGTH] characters up to U+00FF. It must not contain control characters, blanks at its ends, or `fffe` before two
- *   hexadecimal digits. It must not be the request `getPercepts`, with or without arguments.
- * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: it tests the received percept, without delay
+ * @property reflex the command that ARGO sends for an urgent percept before the agent reasons; null: no command. A reflex has 1 to
+ *     [MAX_REFLEX_LENGTH] characters up to U+00FF. It must not contain control characters, blanks at its ends, or `fffe` before two
+ *     hexadecimal digits. It must not be the request `getPercepts`, with or without arguments.
+ * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: the rule tests the received percept, without
+ *     delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed: Boolean = false) {
@@ -20,7 +21,7 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed
         reflex?.let(::requireSendable)
     }
 
-    /** The rule in words: `dist where argument 1 is less than 15, with the reflex stop`. */
+    /** Returns the rule in words: `dist where argument 1 is less than 15, with the reflex stop`. */
     override fun toString(): String = "$rule" + (if (smoothed) ", smoothed" else "") + reflex?.let { ", with the reflex $it" }.orEmpty()
 
     companion object {

@@ -1,14 +1,14 @@
 package argo.filters
 
-/** Reads decimal numbers as boards write them, in place. */
+/** Reads decimal numbers, in the form that boards write, in place. */
 internal object DecimalReader {
-    /** The most digits for which the quotient of the digits and a power of ten is sure to be the nearest double. */
+    /** The most digits for which digits divided by a power of ten always give the nearest double. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 
     /**
-     * Returns the number in the text from [start] to [end]: an optional sign, digits, an optional fraction. Blanks may follow. Returns NaN
-     * for any other text, even for a number in another form. Allocates nothing.
+     * Returns the number in the text from [start] to [end]: an optional sign, digits, an optional fraction. Blanks may follow. Returns
+     * NaN for any other text, even for other forms of numbers. Allocates nothing.
      */
     fun plain(text: CharSequence, start: Int, end: Int): Double {
         val negative = text[start] == '-'
@@ -29,7 +29,10 @@ internal object DecimalReader {
         return if (negative) -value else value
     }
 
-    /** Returns the value of the last digit before the exponent of the number in the text from [start] to [end]; 0 for other text. */
+    /**
+     * Returns the place value of the last digit before the exponent, in the text from [start] to [end]. Returns 0 for text that is no
+     * number.
+     */
     fun unit(text: CharSequence, start: Int, end: Int): Double {
         var point = -1
         for (i in start until end) {

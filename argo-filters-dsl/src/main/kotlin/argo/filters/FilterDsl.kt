@@ -3,12 +3,12 @@ package argo.filters
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
-/** Marks the receivers of filters in Kotlin, so that each function compiles only in the block to which it belongs. */
+/** Marks the receivers of filters in Kotlin. Each function then compiles only in its own block. */
 @DslMarker
 annotation class FilterDsl
 
 /**
- * Makes a filter that drops the percepts that meet its rules and keeps all others.
+ * Makes a filter that drops percepts that meet a rule and keeps all others.
  *
  * ```kotlin
  * val frontDistance = dropFilter("frontDistance") {
@@ -19,14 +19,14 @@ annotation class FilterDsl
  * ```
  *
  * @param name the name by which agents call the filter
- * @param onSwitch whether beliefs that the filter hides are forgotten or frozen when an agent changes to the filter
+ * @param onSwitch whether an agent that changes to the filter forgets or freezes the beliefs that the filter hides
  * @throws IllegalArgumentException if [name] cannot be a filter's name, or a predicate, a value or a pattern cannot be read
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
     DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical, it.smoothing) }
 
 /**
- * Makes a filter that keeps the percepts that meet its rules and drops all others.
+ * Makes a filter that keeps percepts that meet a rule and drops all others.
  *
  * ```kotlin
  * val frontDistance = keepFilter("frontDistance") {
@@ -34,7 +34,7 @@ fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRu
  * }
  * ```
  *
- * Parameters and errors are those of [dropFilter].
+ * [dropFilter] describes the parameters and errors.
  */
 fun keepFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
     KeepRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.KEEP, onSwitch, it.critical, it.smoothing) }
@@ -47,13 +47,13 @@ sealed class RuleList(private val mode: Mode) {
     internal val smoothing = ArrayList<SmoothingRule>()
 
     /**
-     * Adds all rules of [other], as if they were written here.
+     * Adds all rules of [other].
      *
      * ```kotlin
      * dropFilter("night") { include(frontDistance); drop("light") }
      * ```
      *
-     * @throws IllegalArgumentException if one of the two filters drops the percepts that meet its rules and the other filter keeps them
+     * @throws IllegalArgumentException if the two filters have different modes
      */
     fun include(other: PerceptionFilter) {
         require(other.mode == mode) {
@@ -65,7 +65,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept even if other rules drop them, and come first.
+     * Adds a critical rule: the filter keeps percepts of [predicate] that meet all [conditions], even if other rules drop them. The agent
+     * perceives them first.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -78,7 +79,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule on percepts of a declared type, whose arguments have names.
+     * Adds a critical rule on percepts of a declared type. Conditions name the arguments.
      *
      * ```kotlin
      * critical(Distance) { cm lt 15; reflex("stop") }
@@ -91,21 +92,21 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a smoothing rule: each percept of [predicate] that meets all [conditions] is replaced by one of the sensor's last percepts. A
+     * Adds a smoothing rule: one of the sensor's last percepts replaces each percept of [predicate] that meets all [conditions]. A
      * smoothing rule drops nothing.
      *
      * ```kotlin
      * smooth("dist") { argument(1).outliers(3); argument(1) median 5 }
      * ```
      *
-     * @throws IllegalArgumentException if [predicate] is no predicate, or nothing is to be smoothed
+     * @throws IllegalArgumentException if [predicate] is no predicate, or if the rule smooths nothing
      */
     fun smooth(predicate: String, conditions: SmoothingConditions.() -> Unit) {
         smoothing += SmoothingConditions().apply(conditions).smoothingRule(Predicate.of(predicate))
     }
 
     /**
-     * Adds a smoothing rule on percepts of a declared type, whose arguments have names.
+     * Adds a smoothing rule on percepts of a declared type. Conditions name the arguments.
      *
      * ```kotlin
      * smooth(Distance) { cm median 5 }
@@ -143,7 +144,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun drop(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
 
     /**
-     * Drops the percepts of a declared type that meet all [conditions]. The conditions refer to arguments by their names.
+     * Drops the percepts of a declared type that meet all [conditions]. Conditions name the arguments.
      *
      * ```kotlin
      * drop(Distance) { side ne "front" }
@@ -154,9 +155,9 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
 
 /** The rules of a filter under construction, in the mode [Mode.KEEP]. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
-    /** Keeps the percepts of [predicate] that meet all [conditions]; like [DropRules.drop]. */
+    /** Keeps the percepts of [predicate] that meet all [conditions]. See [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
 
-    /** Keeps the percepts of a declared type that meet all [conditions]; like [DropRules.drop]. */
+    /** Keeps the percepts of a declared type that meet all [conditions]. See [DropRules.drop]. */
     fun <T : PerceptType> keep(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }

@@ -6,12 +6,12 @@ package argo.filters
  * @property source the file or other source of the text
  * @property line counted from 1
  * @property column counted from 1, in characters
- * @property message the fault, and what is expected instead
+ * @property message the fault and the expected text
  */
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
     override fun toString(): String = "$source:$line:$column: $message"
 
-    /** Returns this problem; of a long message, only the beginning and the end are kept. */
+    /** Returns this problem with a shortened message. Keeps only the beginning and the end of a long message. */
     internal fun shortened(): Problem {
         if (message.length <= MAX_LENGTH) return this
         val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
@@ -22,13 +22,13 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** How many characters are kept at the end of a long message, where it says what is expected. */
+        /** The number of characters kept at the end of a long message, which states the expected text. */
         const val SHOWN_LAST = 250
     }
 }
 
 /**
- * A filter was refused. The message lists all [problems], one a line, in the order of the text, and shortens long values.
+ * Thrown if a filter's text is refused. The message lists all [problems], one a line, in the order of the text. It shortens long values.
  *
  * @throws IllegalArgumentException if [problems] is empty
  */
@@ -42,5 +42,5 @@ class FilterException(problems: List<Problem>, cause: Throwable? = null) :
     }
 }
 
-/** No filter has the requested name. The message lists the searched places and the existing filters. */
+/** Thrown if no filter has the requested name. The message lists the searched places and the existing filters. */
 class FilterNotFoundException(message: String) : Exception(message)

@@ -1,12 +1,12 @@
 package argo.filters
 
-/** Characters that file names cannot contain on some systems. */
+/** Characters that some systems do not allow in file names. */
 private const val FOREIGN = "\\:*?\"<>|"
 
-/** The name by which an agent asks for no filter. */
+/** The name with which an agent ends the filtering. */
 const val NO_FILTER: String = "none"
 
-/** Returns the reason why [name] cannot be the name of a filter and its file; null: it can be. */
+/** Returns why [name] cannot be the name of a filter and its file. Returns null if it can. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name == NO_FILTER -> "argo.change_filter($NO_FILTER) ends the filtering"
@@ -16,7 +16,7 @@ internal fun nameProblem(name: String): String? = when {
     else -> null
 }
 
-/** Returns [name] if an agent can call a filter by it; throws an [IllegalArgumentException] otherwise. */
+/** Returns [name]. Throws an [IllegalArgumentException] if agents cannot call a filter by this name. */
 internal fun usableName(name: String): String {
     val problem = nameProblem(name)
     require(problem == null) { "'$name' cannot be a filter's name: $problem" }

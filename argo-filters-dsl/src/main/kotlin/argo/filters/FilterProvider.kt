@@ -3,8 +3,9 @@ package argo.filters
 /**
  * Offers filters to agents by name.
  *
- * A project with filters in Kotlin implements this interface, and names the class in `META-INF/services/argo.filters.FilterProvider`. The
- * class needs a public constructor without arguments, since [argo.filters.format.FilterFinder] loads it with `java.util.ServiceLoader`.
+ * A project with filters in Kotlin implements this interface, and names the class in `META-INF/services/argo.filters.FilterProvider`.
+ * [argo.filters.format.FilterFinder] loads the class with `java.util.ServiceLoader`. The class therefore needs a public constructor
+ * without arguments.
  *
  * ```kotlin
  * class RobotFilters : FilterProvider {
@@ -13,6 +14,6 @@ package argo.filters
  * ```
  */
 interface FilterProvider {
-    /** The filters; an agent asks for one by its [PerceptionFilter.name]. */
+    /** The filters. An agent asks for a filter by its [PerceptionFilter.name]. */
     val filters: Collection<PerceptionFilter>
 }

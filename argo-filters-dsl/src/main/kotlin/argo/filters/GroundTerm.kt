@@ -1,16 +1,16 @@
 package argo.filters
 
 /**
- * A value with which a condition compares an argument: a ground Jason term.
+ * A ground Jason term. Conditions compare arguments with such terms.
  *
- * Two values are equal if the terms are equal in Jason: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. If
- * [of] reads the text that `toString` returns, the result is an equal value.
+ * Two values are equal if the terms are equal in Jason: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`.
+ * [of] turns the text from `toString` back into an equal value.
  */
 sealed interface GroundTerm {
 
     /** A number. Jason's numbers are doubles. */
     class Number(value: Double) : GroundTerm {
-        /** The number; never NaN, and never negative zero, which Jason treats as zero. */
+        /** The number. It is never NaN. It is never negative zero, because Jason treats negative zero as zero. */
         val value: Double = value + 0.0
 
         init {
@@ -33,10 +33,10 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string. Jason's syntax cannot express some strings, such as `C:\maps`. `toString` writes their backslashes and carriage returns as
-     * `\u005C` and `\u000D`. [of] and the reader of percepts understand these escapes, Jason's parser does not.
+     * A string. Jason's syntax cannot express some strings, such as `C:\maps`. `toString` writes their backslashes and carriage returns
+     * as `\u005C` and `\u000D`. [of] and the reader of percepts understand these escapes. Jason's parser does not.
      *
-     * @property text the characters of the string: `\n`, `\"` and `\uXXXX` are resolved, other escapes are kept as written
+     * @property text the characters of the string. `\n`, `\"` and `\uXXXX` are resolved. Other escapes stay as written
      */
     data class Text(val text: String) : GroundTerm {
         override fun toString(): String = StringText.write(text)
@@ -76,11 +76,11 @@ sealed interface GroundTerm {
         /**
          * Reads a value in Jason's syntax: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
          *
-         * @throws IllegalArgumentException if [text] is no value; the message names the fault
+         * @throws IllegalArgumentException if [text] is no value; the message states the fault
          */
         fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 
-        /** Reads a value like [of]; null if [text] is no value. Variables, expressions and plans are no values. */
+        /** Reads a value like [of]. Returns null if [text] is no value. Variables, expressions and plans are no values. */
         fun ofOrNull(text: CharSequence): GroundTerm? = GroundTermReader(text, 0, text.length).readWhole()
 
         private fun explain(text: String): String {
@@ -97,8 +97,8 @@ sealed interface GroundTerm {
         }
 
         /**
-         * Turns [text], which begins like a variable, into a name: removes underscores in front and makes the first letter lower case.
-         * Returns null if Jason does not read the result as an atom or a structure.
+         * Turns [text], which begins like a variable, into a name. Removes leading underscores and makes the first letter lower case.
+         * Returns null if the result is no atom or structure in Jason.
          */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }

@@ -1,12 +1,12 @@
 package argo.filters
 
 /**
- * Reads one ground term in the text from [start] to [end], as Jason's parser would. Returns null for any other text, such as a variable, an
- * expression or a plan, and for terms nested deeper than [MAX_DEPTH]. Never throws.
+ * Reads one ground term in the text from [start] to [end], with the result of Jason's parser. Returns null for any other text, such as a
+ * variable, an expression or a plan. Also returns null for terms nested deeper than [MAX_DEPTH]. Never throws.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
-    /** Returns the term if the rest of the text is blank; null otherwise. */
+    /** Returns the term. Returns null if other text follows the term. */
     fun readWhole(): GroundTerm? = term(0)?.takeIf { blanks() == end }
 
     private fun term(depth: Int): GroundTerm? {
@@ -67,7 +67,7 @@ internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : Term
     override fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
 
     companion object {
-        /** No board nests terms deeper. The limit protects the stack from hostile text. */
+        /** Boards do not nest terms deeper. The limit protects the stack from hostile text. */
         const val MAX_DEPTH = 64
     }
 }

@@ -1,6 +1,6 @@
 package argo.filters
 
-/** Finds namespace, negation and functor of the literal that begins in [text] at [start]. Never throws. */
+/** Finds the namespace, the negation and the functor of the literal at [start] in [text]. Never throws. */
 internal class HeadScanner(private val text: CharSequence, start: Int, end: Int) {
     private val first = Syntax.skipBlanks(text, start, end)
     private val firstEnd = maxOf(first, Syntax.atomEnd(text, first, end))
@@ -13,10 +13,10 @@ internal class HeadScanner(private val text: CharSequence, start: Int, end: Int)
 
     val functorStart: Int = if (negated) Syntax.skipBlanks(text, literal + 1, end) else literal
 
-    /** The index behind the functor; negative if no literal begins here. */
+    /** The index after the functor. Negative if no literal begins at the start. */
     val functorEnd: Int = Syntax.atomEnd(text, functorStart, end).let { if (it >= 0 && isWritable(it)) it else -1 }
 
-    /** The namespace; the default one if the text names none. */
+    /** The namespace, or the default namespace if the text names none. */
     val namespace: String
         get() = if (namespaceEnd == first) Predicate.DEFAULT_NAMESPACE else Predicate.namespaceOf(text.substring(first, namespaceEnd))
 

@@ -4,7 +4,7 @@ import com.google.re2j.Pattern
 import com.google.re2j.PatternSyntaxException
 
 /**
- * A regular expression that is matched in linear time and bounded memory.
+ * A regular expression. Matching takes linear time and bounded memory.
  *
  * @throws IllegalArgumentException if [pattern] is not in RE2's syntax or is too large
  */
@@ -26,7 +26,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns how often RE2's compiler may copy a part of the pattern: at most the product of nested counts. */
+    /** Returns an upper bound of the copies that RE2's compiler makes of a part of the pattern: the product of the counts. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 

@@ -2,10 +2,10 @@ package argo.filters
 
 import kotlin.reflect.KProperty
 
-/** The rule under construction on this thread, if it is for a declared percept type. */
+/** The rule under construction on this thread, if its percept type is declared. */
 private val underConstruction = ThreadLocal<RuleConditions?>()
 
-/** Calls [say], a block of conditions, for the [rule] under construction. The rule notes each declared argument that [say] reads. */
+/** Calls [say], a block of conditions of the [rule] under construction. The rule records each declared argument that [say] reads. */
 internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
     val outer = underConstruction.get()
     underConstruction.set(rule)
@@ -17,7 +17,7 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
 }
 
 /**
- * A kind of percepts, with the names and types of its arguments in their order.
+ * A kind of percepts. Declares the names and types of its arguments in order.
  *
  * ```kotlin
  * object Distance : PerceptType("distance") {
@@ -26,10 +26,10 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
  * }
  * ```
  *
- * The compiler checks conditions on declared arguments: `side gt 3` does not compile. A rule that names an argument without a condition on
- * it, as in `drop(Distance) { side }`, is refused when it is made.
+ * The compiler checks conditions on declared arguments: `side gt 3` does not compile. A rule that names an argument without a condition,
+ * such as `drop(Distance) { side }`, is refused at run time.
  *
- * @param predicate the functor, as in `distance` or `~open`
+ * @param predicate the functor, such as `distance` or `~open`
  * @throws IllegalArgumentException if [predicate] is no predicate
  */
 @FilterDsl
@@ -59,7 +59,7 @@ abstract class PerceptType(predicate: String) {
 
 /** The declaration of an argument, as the delegate of a property. */
 class Declared<A : TypedArgument<*>> internal constructor(private val make: (name: String) -> A) {
-    /** Returns the declared argument. If a rule is under construction, it then expects a condition on this argument. */
+    /** Returns the declared argument. If a rule is under construction, the rule must then get a condition on this argument. */
     operator fun getValue(type: PerceptType, property: KProperty<*>): A =
         make(property.name).also { argument -> underConstruction.get()?.mention(argument) }
 }
@@ -79,18 +79,18 @@ sealed class TypedArgument<V>(
     override fun toString(): String = name
 }
 
-/** An argument that is an atom. Conditions compare the argument with an atom in Jason's syntax, and refuse other text. */
+/** An argument that is an atom. Conditions compare it with an atom in Jason's syntax, and refuse other text. */
 class AtomArgument internal constructor(type: PerceptType, index: Int, name: String) : TypedArgument<String>(type, index, name, ::atomOf)
 
 /** An argument that is a number. */
 class NumberArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<Number>(type, index, name, Number::asTerm)
 
-/** An argument that is a string. Conditions compare the argument with a text without quotes. */
+/** An argument that is a string. Conditions compare it with a text without quotes. */
 class StringArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::Text)
 
-/** An argument that is any term. Conditions compare the argument with a term in Jason's syntax. */
+/** An argument that is any term. Conditions compare it with a term in Jason's syntax. */
 class TermArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::of)
 

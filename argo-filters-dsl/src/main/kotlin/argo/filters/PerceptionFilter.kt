@@ -5,13 +5,13 @@ import java.util.Objects
 /**
  * A perception filter. A filter's [rules] decide which percepts an agent perceives.
  *
- * Immutable, and safe to share between agents. Two filters are equal if they make the same decisions, even under different [name]s.
+ * Immutable, and safe to share between agents. Two filters are equal if all their properties except [name] are equal.
  *
  * @property name the name by which agents call the filter
- * @property mode whether percepts that meet a rule are dropped or kept
- * @property onSwitch whether beliefs that this filter hides are forgotten or frozen when an agent changes to the filter
+ * @property mode whether the filter drops or keeps percepts that meet a rule
+ * @property onSwitch whether an agent that changes to this filter forgets or freezes the beliefs that the filter hides
  * @param critical the rules for urgent percepts, which decide before all other rules
- * @param smoothing the rules for noisy sensors; a percept is smoothed by the first of these rules that it meets
+ * @param smoothing the rules for noisy sensors. The first of these rules that a percept meets smooths the percept
  */
 class PerceptionFilter(
     val name: String,
@@ -21,30 +21,30 @@ class PerceptionFilter(
     critical: List<CriticalRule> = emptyList(),
     smoothing: List<SmoothingRule> = emptyList(),
 ) {
-    /** What the filter does with percepts that meet a rule. */
+    /** Tells what the filter does with percepts that meet a rule. */
     enum class Mode {
-        /** Percepts that meet a rule are dropped, all others are kept. The filters of the ARGO paper have this mode. */
+        /** Percepts that meet a rule are dropped. All others are kept. The filters of the ARGO paper have this mode. */
         DROP,
 
-        /** Percepts that meet a rule are kept, all others are dropped. */
+        /** Percepts that meet a rule are kept. All others are dropped. */
         KEEP,
     }
 
-    /** What happens to beliefs that a filter hides when an agent changes to the filter. */
+    /** Tells what happens to hidden beliefs when an agent changes to a filter. */
     enum class OnSwitch {
         /** Jason's belief update deletes the hidden beliefs. */
         FORGET,
 
-        /** The hidden beliefs stay as they were at the change. */
+        /** The hidden beliefs stay as they are at the change. */
         FREEZE,
     }
 
     val rules: List<Rule> = java.util.List.copyOf(rules)
 
-    /** The rules for urgent percepts, in their order. */
+    /** The rules for urgent percepts, in order. */
     val critical: List<CriticalRule> = java.util.List.copyOf(critical)
 
-    /** The rules for percepts of noisy sensors, in their order. */
+    /** The rules for percepts of noisy sensors, in order. */
     val smoothing: List<SmoothingRule> = java.util.List.copyOf(smoothing)
 
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())
@@ -55,7 +55,7 @@ class PerceptionFilter(
 
     override fun hashCode(): Int = Objects.hash(mode, onSwitch, rules, critical, smoothing)
 
-    /** The filter in words: `filter frontDistance drops temperature; light; distance where argument 0 is not front`. */
+    /** Returns the filter in words: `filter frontDistance drops temperature; light; distance where argument 0 is not front`. */
     override fun toString(): String {
         val verb = if (mode == Mode.DROP) "drops" else "keeps only"
         val what = if (rules.isEmpty()) "nothing" else rules.joinToString("; ")

@@ -1,12 +1,12 @@
 package argo.filters
 
 /**
- * The name of a rule or a term: a functor in Jason's syntax, negated or not, in a namespace. `open` and `~open` are different predicates,
- * and so are `open` and `house::open`.
+ * The name of a rule or a term: a functor in Jason's syntax, negated or not, in a namespace. `open`, `~open` and `house::open` are three
+ * different predicates.
  *
  * @property functor the atom as written, including quotes: `dist`, `'Left wheel'`
- * @property negated true if strong negation (`~`) is before the functor
- * @property namespace the namespace's name; [DEFAULT_NAMESPACE] if the text names none
+ * @property negated true if the functor has strong negation (`~`)
+ * @property namespace the namespace's name, or [DEFAULT_NAMESPACE]
  */
 data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
 
@@ -16,7 +16,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         require(isWritable(functor, negated, namespace)) { "$functor is neither negated nor in a namespace in Jason" }
     }
 
-    /** The predicate in Jason's syntax: `dist`, `~open`, `house::~open`. */
+    /** Returns the predicate in Jason's syntax: `dist`, `~open`, `house::~open`. */
     override fun toString(): String = buildString {
         if (namespace != DEFAULT_NAMESPACE) append(namespace).append("::")
         if (negated) append('~')
@@ -24,16 +24,16 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
     }
 
     companion object {
-        /** The namespace of a predicate whose text names no namespace. */
+        /** The namespace of a predicate without a written namespace. */
         const val DEFAULT_NAMESPACE: String = "default"
 
-        /** Jason's word for the namespace in which a text is read. */
+        /** Jason's word for the current namespace. */
         internal const val THIS_NAMESPACE = "this_ns"
 
         /**
          * Reads a predicate in Jason's syntax: `dist`, `~open`, `house::dist`.
          *
-         * @throws IllegalArgumentException if [text] is no predicate; the message names the fault
+         * @throws IllegalArgumentException if [text] is no predicate; the message states the fault
          */
         fun of(text: String): Predicate {
             val separator = separator(text)
@@ -43,7 +43,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` between quotes is part of a name. */
+        /** Returns the index of the `::` after a namespace. Negative if there is none. A `::` between quotes belongs to a name. */
         private fun separator(text: String): Int {
             val first = text.indexOf("::")
             val quote = text.indexOf('\'')
@@ -55,7 +55,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
-        /** Returns the namespace for [written], the text before `::`, which may be empty. */
+        /** Returns the namespace for [written], the possibly empty text before `::`. */
         internal fun namespaceOf(written: String): String =
             if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }

@@ -3,9 +3,9 @@ package argo.filters
 /**
  * A rule of a filter. A percept meets the rule if it has the [predicate] and the [arity] and meets all [conditions].
  *
- * @property conditions if the list is empty, every percept of the predicate and arity meets the rule
+ * @property conditions the conditions. If there are none, every percept of the predicate and arity meets the rule
  * @property arity the required number of arguments; null: any
- * @property rate the rate by which percepts that meet the rule are held back; null: they are not held back
+ * @property rate the rate that holds back percepts that meet the rule; null: no rate
  */
 data class Rule(
     val predicate: Predicate,
@@ -19,7 +19,7 @@ data class Rule(
         require(arity == null || arity >= 0) { "a percept cannot have $arity arguments" }
     }
 
-    /** The rule in words: `distance where argument 0 is not front`. */
+    /** Returns the rule in words: `distance where argument 0 is not front`. */
     override fun toString(): String {
         val number = arity?.let { if (it == 1) "there is 1 argument" else "there are $it arguments" }
         val parts = listOfNotNull(number) + conditions + listOfNotNull(rate)
@@ -28,19 +28,19 @@ data class Rule(
 }
 
 /**
- * Holds back percepts that come too soon after the last percept that was let through, or that differ too little from it.
+ * Holds back a percept that comes too soon after the last percept let through, or that differs too little from it.
  *
  * The rate applies to each kind of percept separately. Percepts that differ only in numbers are of one kind: `dist(f,2)` and `dist(f,1)`
  * are of one kind, `dist(b,1)` is of another. A percept is held back while the interval has not ended *and* no number has moved by its
- * deadband. A held-back percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session
- * delivers the percept [SETTLING_MS] after the first percept of the kind was held back.
+ * deadband. The session delivers a held-back percept at the end of the interval. If there are only deadbands, the session delivers the
+ * percept [SETTLING_MS] after it first held back a percept of this kind.
  *
- * Only an [argo.filters.matching.FilterSession], which knows the time, holds percepts back.
+ * Only an [argo.filters.matching.FilterSession] holds percepts back, because only a session knows the time.
  *
- * @property everyMs at most one percept is let through in this interval, in milliseconds; null: there is no interval
- * @property deadbands the distances by which numbers must move so that a percept is let through at once
- * @throws IllegalArgumentException if there is neither an interval nor a deadband, if an argument has two deadbands, or if the interval is
- *   below 1 ms
+ * @property everyMs the interval in milliseconds, in which at most one percept is let through; null: no interval
+ * @property deadbands the distances by which a number must move so that its percept is let through at once
+ * @throws IllegalArgumentException if there is neither an interval nor a deadband, if an argument has two deadbands, or if the interval
+ *     is below 1 ms
  */
 data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptySet()) {
     init {
@@ -54,16 +54,16 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
         ).joinToString(" and ")
 
     companion object {
-        /** A percept that only a deadband holds back is delivered after this time, in milliseconds. */
+        /** The time in milliseconds after which a percept that only a deadband holds back is delivered. */
         const val SETTLING_MS: Long = 1_000
     }
 }
 
 /**
- * The distance by which a number must move for its percept to be let through.
+ * The distance by which a number must move so that its percept is let through.
  *
  * @property argument the argument's position, counted from 0; null: each argument that is a number
- * @property width the least distance. A percept is held back if its number is closer to that of the last percept that was let through.
+ * @property width the least distance to the number of the last percept that was let through
  * @throws IllegalArgumentException if [width] is not a finite number above 0, or [argument] is negative
  */
 data class Deadband(val argument: Int?, val width: Double) {

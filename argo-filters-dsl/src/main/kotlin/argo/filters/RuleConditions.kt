@@ -18,24 +18,24 @@ open class RuleConditions internal constructor() {
     private var arity: Int? = null
     private var everyMs: Long? = null
 
-    /** The argument at [index], counted from 0, of any type: `argument(0) ne "front"`. */
+    /** Returns the argument at [index], counted from 0, of any type: `argument(0) ne "front"`. */
     fun argument(index: Int): AnyArgument {
         requireIndex(index)
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** The annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
+    /** Returns the annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
-    /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
+    /** Requires an annotation called [name]: `hasAnnotation("urgent")`. */
     fun hasAnnotation(name: String): Unit = annotation(name) {}
 
-    /** One annotation called [name] must meet all tests: `annotation("q") { gt(0.5); lt(0.9) }`. */
+    /** Requires one annotation called [name] that meets all tests: `annotation("q") { gt(0.5); lt(0.9) }`. */
     fun annotation(name: String, tests: AnnotationTests.() -> Unit): Unit =
         add(Condition.Annotation(Predicate.of(name), AnnotationTests().apply(tests).tests))
 
     /**
-     * The percept must have [count] arguments: `arity(2)`.
+     * Requires [count] arguments: `arity(2)`.
      *
      * @throws IllegalArgumentException if the rule already has another number
      */
@@ -45,7 +45,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Holds back percepts that come less than [ms] milliseconds after the last percept that was let through: `everyMs(500)`; see [Rate].
+     * Lets at most one percept through in [ms] milliseconds: `everyMs(500)`. See [Rate].
      *
      * @throws IllegalArgumentException if the rule already has another interval
      */
@@ -55,13 +55,13 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Sets the interval of [everyMs] by a duration: `every(2.seconds)`.
+     * Sets the interval of [everyMs] as a duration: `every(2.seconds)`.
      *
      * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or the rule already has another interval
      */
     fun every(interval: Duration): Unit = everyMs(wholeMillis(interval))
 
-    /** Holds back percepts in which each number has moved by less than [width]: `deadband(5)`; see [Rate]. */
+    /** Holds back a percept if none of its numbers has moved by [width] or more: `deadband(5)`. See [Rate]. */
     fun deadband(width: Number): Unit = deadband(null, width)
 
     internal fun deadband(argument: Int?, width: Number) {
@@ -85,7 +85,7 @@ open class RuleConditions internal constructor() {
         unsaid.removeAll { it === term }
     }
 
-    /** @throws IllegalArgumentException if the block names an argument or annotation without a condition on it */
+    /** @throws IllegalArgumentException if the block names an argument or annotation without a condition */
     internal fun rule(predicate: Predicate): Rule {
         require(unsaid.isEmpty()) {
             "there is no condition on ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
@@ -106,13 +106,13 @@ class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
     private var smoothed = false
 
-    /** The rule tests the percept that a smoothing rule selects, not the percept as it came; see [CriticalRule.smoothed]. */
+    /** Lets the rule test the percept that a smoothing rule selects, in place of the received percept. See [CriticalRule.smoothed]. */
     fun smoothed() {
         smoothed = true
     }
 
     /**
-     * Sends [command] for a percept that meets the rule, before the agent reasons: `reflex("speed(0)")`; see [CriticalRule.reflex].
+     * Sends [command] for a percept that meets the rule, before the agent reasons: `reflex("speed(0)")`. See [CriticalRule.reflex].
      *
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
      */
@@ -127,56 +127,61 @@ class CriticalConditions internal constructor() : RuleConditions() {
 
 /**
  * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
- * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: for an argument, a [Limit], to which a
- * second limit can be added.
+ * atom, and `argument(0) eq "\"front\""` compares with a string.
+ *
+ * @param L the result of a comparison by order. For an argument it is a [Limit], which can get a second limit
  */
 @FilterDsl
 sealed class AnyTerm<out L> {
     internal abstract fun must(vararg tests: TermTest)
 
-    /** The term must meet [test], which compares by order. */
+    /** Requires [test], which compares by order. */
     internal abstract fun order(test: TermTest.Compare): L
 
-    /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */
+    /** Requires a term equal to [value], which is in Jason's syntax: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
 
-    /** The term must equal [value]: `argument(1) eq 36`. */
+    /** Requires a term equal to [value]: `argument(1) eq 36`. */
     infix fun eq(value: Number): Unit = must(TermTest.Compare(Operator.EQ, value.asTerm()))
 
-    /** The term must equal [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
+    /** Requires a term equal to [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
     infix fun eq(value: GroundTerm): Unit = must(TermTest.Compare(Operator.EQ, value))
 
-    /** The term must differ from [value], in Jason's syntax: `argument(0) ne "front"`. */
+    /** Requires a term different from [value], which is in Jason's syntax: `argument(0) ne "front"`. */
     infix fun ne(value: String): Unit = must(TermTest.Compare(Operator.NE, GroundTerm.of(value)))
 
-    /** The term must differ from [value]: `argument(1) ne 0`. */
+    /** Requires a term different from [value]: `argument(1) ne 0`. */
     infix fun ne(value: Number): Unit = must(TermTest.Compare(Operator.NE, value.asTerm()))
 
-    /** The term must differ from [value]: `argument(0) ne GroundTerm.Text("ok")`. */
+    /** Requires a term different from [value]: `argument(0) ne GroundTerm.Text("ok")`. */
     infix fun ne(value: GroundTerm): Unit = must(TermTest.Compare(Operator.NE, value))
 
-    /** The term must be a number greater than [value]: `argument(1) gt 200`. */
+    /** Requires a number greater than [value]: `argument(1) gt 200`. */
     infix fun gt(value: Number): L = order(TermTest.Compare(Operator.GT, value.asTerm()))
 
-    /** The term must be a number and at least [value]: `argument(1) ge 200`. */
+    /** Requires a number of at least [value]: `argument(1) ge 200`. */
     infix fun ge(value: Number): L = order(TermTest.Compare(Operator.GE, value.asTerm()))
 
-    /** The term must be a number less than [value]: `annotation("q") lt 0.5`. */
+    /** Requires a number less than [value]: `annotation("q") lt 0.5`. */
     infix fun lt(value: Number): L = order(TermTest.Compare(Operator.LT, value.asTerm()))
 
-    /** The term must be a number and at most [value]: `argument(1) le 15`. */
+    /** Requires a number of at most [value]: `argument(1) le 15`. */
     infix fun le(value: Number): L = order(TermTest.Compare(Operator.LE, value.asTerm()))
 
-    /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
+    /**
+     * Requires that the term's whole text matches the regular expression [pattern]: `argument(0) matches "front|left"`. See
+     * [TermTest.Matches].
+     */
     infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
     /**
-     * The term must equal one of [values]: texts in Jason's syntax, numbers or [GroundTerm]s. `argument(0) isIn listOf("front", "left")`.
+     * Requires a term equal to one of [values]: texts in Jason's syntax, numbers or [GroundTerm]s.
+     * `argument(0) isIn listOf("front", "left")`.
      */
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
     /**
-     * The term must be a number in [range], both ends included: `argument(1) isIn 1..5` holds for 2.5, too.
+     * Requires a number in [range], both ends included: `argument(1) isIn 1..5` also holds for 2.5.
      *
      * @throws IllegalArgumentException if [range] is empty
      */
@@ -192,7 +197,7 @@ sealed class AnyTerm<out L> {
     }
 }
 
-/** An argument of a rule under construction: the value of `argument(0)`. */
+/** An argument of a rule under construction, as `argument(0)` returns it. */
 class AnyArgument internal constructor(internal val index: Int, private val rule: RuleConditions) : AnyTerm<Limit>() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -204,7 +209,7 @@ class AnyArgument internal constructor(internal val index: Int, private val rule
         return Limit(rule, Condition.Argument(index, test))
     }
 
-    /** Holds back percepts in which this argument has moved by less than [width]: `argument(1) deadband 5`; see [Rate]. */
+    /** Holds back percepts in which this argument has moved by less than [width]: `argument(1) deadband 5`. See [Rate]. */
     infix fun deadband(width: Number) {
         rule.specify(this)
         rule.deadband(index, width)
@@ -213,7 +218,7 @@ class AnyArgument internal constructor(internal val index: Int, private val rule
     override fun toString(): String = "argument($index)"
 }
 
-/** An annotation of a rule under construction: the value of `annotation("q")`. */
+/** An annotation of a rule under construction, as `annotation("q")` returns it. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm<Unit>() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -236,15 +241,15 @@ class AnnotationTests internal constructor() : AnyTerm<Unit>() {
     override fun order(test: TermTest.Compare) = must(test)
 }
 
-/** The limit of a condition on an argument. A second limit can be added. */
+/** A limit of a condition on an argument. It can get a second limit. */
 class Limit internal constructor(private val rule: RuleConditions, private val condition: Condition.Argument) {
     init {
         rule.add(condition)
     }
 
     /**
-     * Once a sensor's number has met the condition, the condition holds until the number has reached [limit]: `argument(1) lt 40 until 45`;
-     * see [Condition.Argument.until].
+     * Once a sensor's number has met the condition, the condition holds until the number reaches [limit]: `argument(1) lt 40 until 45`.
+     * See [Condition.Argument.until].
      *
      * @throws IllegalArgumentException if [limit] is not beyond the first limit
      */
@@ -255,7 +260,7 @@ private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds
     require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
 }
 
-/** Returns tests that all numbers in the range meet, and no other numbers. */
+/** Returns tests that all numbers in the range meet, and no other terms. */
 internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
     require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
     return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))

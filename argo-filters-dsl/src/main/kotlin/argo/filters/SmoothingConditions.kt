@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * The conditions of a smoothing rule under construction, and the one argument that the rule smooths.
+ * The conditions of a smoothing rule under construction. The rule smooths one argument.
  *
  * ```kotlin
  * smooth("dist") { argument(0) eq "front"; argument(1).outliers(3); argument(1) median 5 }
@@ -15,7 +15,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     private var annotates = false
 
     /**
-     * Selects the middle one of the last [count] credible percepts: `argument(1) median 5`; see [SmoothingRule.median].
+     * Selects the middle one of the last [count] credible percepts: `argument(1) median 5`. See [SmoothingRule.median].
      *
      * @throws IllegalArgumentException if the rule already has another median, or smooths another argument
      */
@@ -25,7 +25,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * A percept is not credible if its number has changed by more than [perSecond] in a second: `argument(1) maxRate 200`; see
+     * Treats a percept as not credible if its number changes by more than [perSecond] a second: `argument(1) maxRate 200`. See
      * [SmoothingRule.maxRate].
      *
      * @throws IllegalArgumentException if the rule already has another greatest rate, or smooths another argument
@@ -36,8 +36,8 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * A percept is not credible if its number is more than [deviations] deviations from the median of the last [among] numbers:
-     * `argument(1).outliers(3)`; see [Outliers].
+     * Treats a percept as not credible if its number is more than [deviations] deviations from the median of the last [among] numbers:
+     * `argument(1).outliers(3)`. See [Outliers].
      *
      * @throws IllegalArgumentException if the rule already has other outliers, or smooths another argument
      */
@@ -46,7 +46,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
         this@SmoothingConditions.outliers(index, deviations, among)
     }
 
-    /** Selected percepts get the annotation `smoothed`, so that an agent believes `dist(f,30)[smoothed]`. */
+    /** Adds the annotation `smoothed` to selected percepts. An agent then believes `dist(f,30)[smoothed]`. */
     fun annotate() {
         annotates = true
     }

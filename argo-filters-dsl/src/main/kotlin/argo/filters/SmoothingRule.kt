@@ -1,25 +1,26 @@
 package argo.filters
 
 /**
- * A rule for percepts of noisy sensors. A percept that meets the rule is replaced by one of the last percepts of the same sensor: the
- * newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide about the selected percept;
- * critical rules do so only if they are [smoothed][CriticalRule.smoothed].
+ * A rule for percepts of noisy sensors. The rule replaces a percept by one of the sensor's last percepts: the newest credible one, or the
+ * middle one. A smoothing rule drops nothing. The filter's other rules then decide about the selected percept. Critical rules do so only
+ * if they are [smoothed][CriticalRule.smoothed].
  *
- * Percepts that differ only in [argument] come from one sensor: `dist(f,30)` and `dist(f,31)` if argument 1 is smoothed, but not
- * `dist(b,30)`. A percept without a number in [argument] is not replaced. The rule applies [maxRate] first, then [outliers], then [median].
+ * Percepts that differ only in [argument] come from one sensor. If argument 1 is smoothed, `dist(f,30)` and `dist(f,31)` come from one
+ * sensor, and `dist(b,30)` from another. A percept without a number in [argument] is not replaced. The rule applies [maxRate] first, then
+ * [outliers], then [median].
  *
- * Only an [argo.filters.matching.FilterSession] smooths, since it knows the time and the earlier percepts.
+ * Only an [argo.filters.matching.FilterSession] smooths, because only a session knows the time and the earlier percepts.
  *
- * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
- * @property argument the position of the number that is smoothed, counted from 0
- * @property maxRate the most by which the number can change in a second; null: there is no limit. A percept whose number differs more from
- * that of the last credible percept is not credible. Of three percepts in a row whose numbers change too much, the third is credible again
- * if each can follow the one before
- * @property outliers which percepts are not credible because they are far from most others; null: there is no such test
- * @property median the middle one of so many last credible percepts is selected; the number is odd. Null: the newest is selected. While
- * there are fewer percepts, the middle one of these is selected; of two middle ones, the newer one
- * @property annotates true if selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
- * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
+ * @property rule the rule that the percepts meet. It has no rate, and no condition with a [second limit][Condition.Argument.until]
+ * @property argument the position of the smoothed number, counted from 0
+ * @property maxRate the most by which the number can change in a second; null: no limit. A percept is not credible if its number differs
+ *     more from that of the last credible percept. Three such percepts in a row confirm each other if each can follow the previous one:
+ *     the third is then credible
+ * @property outliers the test for numbers far from most others, which are not credible; null: no such test
+ * @property median the odd number of last credible percepts from which the middle one is selected; null: the newest is selected. While
+ *     there are fewer percepts, the middle one of these is selected. If there are two middle ones, the newer one is selected
+ * @property annotates true if selected percepts get the annotation `smoothed`: `dist(f,30)[smoothed]`
+ * @throws IllegalArgumentException if the rule smooths nothing, or if a number has no meaning
  */
 data class SmoothingRule(
     val rule: Rule,
@@ -44,7 +45,7 @@ data class SmoothingRule(
         }
     }
 
-    /** The rule in words: `dist where argument 0 is f, by the median of the last 5 of argument 1`. */
+    /** Returns the rule in words: `dist where argument 0 is f, by the median of the last 5 of argument 1`. */
     override fun toString(): String {
         val words = listOfNotNull(
             maxRate?.let { "a change of at most ${GroundTerm.Number(it)} a second" },
@@ -67,14 +68,14 @@ data class SmoothingRule(
 }
 
 /**
- * Percepts whose number is more than [deviations] deviations from the median of their sensor's last numbers, including their own number. A
- * deviation is 1.4826 times the median of the distances to that median; for normal noise, this is the standard deviation. A deviation is at
- * least one unit of the percept's last digit. The first two percepts of a sensor are never outliers.
+ * The test for outliers. An outlier's number is more than [deviations] deviations from the median of the sensor's last numbers, including
+ * the number itself. A deviation is 1.4826 times the median of the distances to that median. For normal noise, this is the standard
+ * deviation. A deviation is at least one unit of the number's last digit. The first two percepts of a sensor are never outliers.
  *
  * @property deviations the greatest distance from the median, in deviations
- * @property among the number of last percepts for the median; it is odd
- * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
- * [SmoothingRule.MAX_WINDOW]
+ * @property among the odd number of last percepts for the median
+ * @throws IllegalArgumentException if [deviations] is not a finite number of at least 1, or [among] is no odd number from 3 to
+ *     [SmoothingRule.MAX_WINDOW]
  */
 data class Outliers(val deviations: Double, val among: Int = AMONG) {
     init {

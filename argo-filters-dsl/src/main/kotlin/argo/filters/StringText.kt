@@ -5,7 +5,7 @@ internal object StringText {
 
     private const val UNICODE_LENGTH = 2 + UNICODE_DIGITS
 
-    /** Returns [text] in quotes and in Jason's syntax, with `\uXXXX` for each character that this syntax cannot express. */
+    /** Returns [text] in quotes and in Jason's syntax. Writes `\uXXXX` for characters that this syntax cannot express. */
     fun write(text: String): String {
         val written = quoted(text)
         val end = written.length
@@ -15,7 +15,7 @@ internal object StringText {
 
     private fun quoted(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
 
-    /** Returns the string that [written], the text between the quotes, expresses. */
+    /** Returns the string that [written] stands for. [written] is the text between the quotes. */
     fun read(written: String): String {
         if ("\\u" !in written) return asJason(written)
         val text = StringBuilder()
@@ -33,7 +33,7 @@ internal object StringText {
         return text.append(asJason(written.substring(start))).toString()
     }
 
-    /** Resolves escapes as Jason does in strings: first `\n`, then `\"`, and no others. */
+    /** Resolves escapes in Jason's way: first `\n`, then `\"`, and no others. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
     fun isUnicode(text: CharSequence, start: Int, end: Int): Boolean =

@@ -1,6 +1,6 @@
 package argo.filters
 
-/** The syntax of Jason's terms, as its grammar defines it for ASCII text. */
+/** The syntax of Jason's terms, for ASCII text. */
 internal object Syntax {
     const val FUNCTOR_IN_WORDS =
         "it starts with a lower-case letter and goes on with letters, digits and _, or stands in single quotes"
@@ -9,12 +9,12 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** The reserved words by length. A percept's name is compared only with words of the same length. */
+    /** The reserved words by length. A name is compared only with words of its own length. */
     private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }
 
-    /** Returns true if Jason's parser reads the word as a keyword, not as an atom. */
+    /** Returns true if the word is a keyword of Jason, not an atom. */
     fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
         end - start < RESERVED.size && RESERVED[end - start].any { isAt(text, start, end, it) }
 
@@ -29,7 +29,7 @@ internal object Syntax {
         return i
     }
 
-    /** Returns the end of the atom that starts at [start]; -1 if there is none. */
+    /** Returns the end of the atom that starts at [start], or -1. */
     fun atomEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end) return -1
         if (text[start] == '\'') return quotedAtomEnd(text, start, end)
@@ -58,7 +58,7 @@ internal object Syntax {
 
     fun isWordCharacter(c: Char): Boolean = c in 'a'..'z' || c in 'A'..'Z' || c in '0'..'9' || c == '_'
 
-    /** Returns true if the atom contains a dot. Jason reads such a name as that of an internal action or an arithmetic function. */
+    /** Returns true if the atom contains a dot. In Jason it then names an internal action or an arithmetic function. */
     fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
         text[start] != '\'' && (start until end).any { text[it] == '.' }
 
@@ -83,7 +83,10 @@ internal object Syntax {
 
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
-    /** Returns the end of the string in double quotes that starts at [start]; -1 if no quote closes it or it is no [GroundTerm.Text]. */
+    /**
+     * Returns the end of the string in double quotes that starts at [start]. Returns -1 if no quote closes it or if it is no
+     * [GroundTerm.Text].
+     */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
         while (i < end) {
@@ -92,7 +95,7 @@ internal object Syntax {
                 '\n', '\r' -> return -1
                 '\\' -> {
                     if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
-                    i += 2 // the loop then skips the digits behind \u like letters
+                    i += 2 // the digits after \u are skipped like letters
                 }
                 else -> i++
             }
@@ -102,7 +105,7 @@ internal object Syntax {
 
     private const val ESCAPED = "ntbrf\\'\"01234567"
 
-    /** Returns the position of the first character from [start] on that is not in white space or a comment. */
+    /** Returns the position of the first character after white space and comments. */
     fun skipBlanks(text: CharSequence, start: Int, end: Int): Int {
         var i = start
         while (i < end) {

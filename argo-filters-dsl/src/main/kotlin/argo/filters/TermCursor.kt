@@ -1,16 +1,16 @@
 package argo.filters
 
-/** Moves over the parts of terms in [text], from [at] to [end]. Each function returns null if it does not find its part. */
+/** Moves over the parts of terms in [text], from [at] to [end]. A function returns null if its part is missing. */
 internal abstract class TermCursor(protected val text: CharSequence, protected var at: Int, protected val end: Int) {
 
-    /** Skips the blanks between the parts of a term; returns the position of the next part. */
+    /** Skips the blanks between the parts of a term. Returns the position of the next part. */
     protected abstract fun blanks(): Int
 
     protected fun isNext(expected: Char): Boolean = blanks() < end && text[at] == expected
 
     protected fun take(expected: Char): Boolean = isNext(expected).also { if (it) at++ }
 
-    /** Reads one or more items with commas between them; null if [item] finds none. */
+    /** Reads one or more items with commas between them. Returns null if [item] finds none. */
     protected inline fun <T : Any> items(item: () -> T?): ArrayList<T>? {
         val items = ArrayList<T>(USUAL_ARITY)
         do items += item() ?: return null while (take(','))

@@ -1,6 +1,6 @@
 package argo.filters
 
-/** A comparison of a term with a value. The constants have the same names in filter files. */
+/** A comparison of a term with a value. Filter files use the names of these constants. */
 enum class Operator(internal val words: String, internal val ordering: Boolean) {
     EQ("is", false),
     NE("is not", false),
@@ -40,10 +40,10 @@ sealed interface TermTest {
     }
 
     /**
-     * Holds for a term whose whole text, as [GroundTerm.toString] writes it, matches the regular expression [pattern]. In this text strings
-     * have quotes, and structures have no blanks.
+     * Holds for a term whose whole text matches the regular expression [pattern]. The text is that of [GroundTerm.toString]: strings have
+     * quotes, and structures have no blanks.
      *
-     * Matching takes time linear in the length of the text for every pattern, since RE2's syntax has no look-around and no back references.
+     * RE2's syntax has no look-around and no back references. Matching therefore takes time linear in the length of the text.
      *
      * @throws IllegalArgumentException if [pattern] is not in RE2's syntax, or is too large
      */

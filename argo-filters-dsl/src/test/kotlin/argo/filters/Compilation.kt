@@ -6,7 +6,7 @@ import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
 
-/** Compiles [declarations], then [statements], each in a function on a line of its own, and keeps the compiler's messages. */
+/** Compiles [declarations] and [statements], and keeps the compiler's messages. Each statement is in a function on its own line. */
 class Compilation(directory: File, statements: List<String>, private val declarations: String) {
     private val messages = ByteArrayOutputStream()
     private val firstLine = declarations.lines().size + 1

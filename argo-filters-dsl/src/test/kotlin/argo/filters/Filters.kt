@@ -20,14 +20,14 @@ import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.arbitrary.string
 
-/** A filter whose rules stand in XML between the root's tags. */
+/** A filter whose rules are the given XML elements. */
 fun xml(rules: String): PerceptionFilter = XmlFilters.read("<PerceptionFilter>$rules</PerceptionFilter>", "test.xml")
 
-/** A filter of one rule on [predicate], with the XML of its conditions. */
+/** A filter with one rule on [predicate]. [conditions] is the XML of its conditions. */
 fun rule(predicate: String, conditions: String = ""): PerceptMatcher =
     xml("<filter><predicate>$predicate</predicate>$conditions</filter>").matcher()
 
-/** Small vocabularies, so that filters and percepts meet often. */
+/** Few values, so filters often match percepts. */
 val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'", "'x::y'")
 val predicates: Arb<Predicate> = Arb.bind(
     functors, Arb.element(false, false, true), Arb.element("default", "default", "default", "default", "house", "'a::b'"),
@@ -45,7 +45,7 @@ val texts: Arb<GroundTerm.Text> = Arb.choice(
     Arb.element(
         "", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>",
     ),
-    Arb.string(0..6).filter { "\\u" !in "${GroundTerm.Text(it)}" && it.none(Char::isISOControl) }, // Jason's parser reads it
+    Arb.string(0..6).filter { "\\u" !in "${GroundTerm.Text(it)}" && it.none(Char::isISOControl) }, // Jason's parser must be able to read it
 ).map(GroundTerm::Text)
 
 fun values(depth: Int = 2): Arb<GroundTerm> {
@@ -74,7 +74,7 @@ val tests: Arb<TermTest> = Arb.choice(
     Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { TermTest.Matches(it) },
 )
 
-/** Orderings, with limits beyond theirs. */
+/** Tests that compare by order, each with a limit beyond its own. */
 private val limits: Arb<Pair<TermTest, Double>> =
     Arb.bind(Arb.element(Operator.entries.filter { it.ordering }), Arb.int(-3..3), Arb.element(0.5, 2.0)) { operator, limit, width ->
         val isBelow = operator == Operator.LT || operator == Operator.LE
@@ -95,7 +95,7 @@ val rates: Arb<Rate> =
         Rate(if (deadbands.isEmpty()) everyMs ?: 1 else everyMs, deadbands)
     }
 
-/** Rules without rates, which decide over each percept by itself. */
+/** Rules without rates. Each percept is decided alone. */
 val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), Arb.int(0..3).orNull(0.7)) { predicate, conditions, arity ->
     Rule(predicate, conditions, arity)
 }
@@ -124,12 +124,12 @@ val filters: Arb<PerceptionFilter> = Arb.bind(
     Arb.list(smoothingRules, 0..2),
 ) { rules, mode, onSwitch, critical, smoothing -> PerceptionFilter("generated", rules, mode, onSwitch, critical, smoothing) }
 
-/** The parts of a percept. Its annotations are structures, in their order. */
+/** The parts of a percept. Its annotations are structures, in order. */
 data class Percept(val predicate: Predicate, val arguments: List<GroundTerm>, val annotations: List<GroundTerm>)
 
 val percepts: Arb<Percept> = Arb.bind(predicates, Arb.list(values(), 0..3), Arb.list(values(1), 0..2), ::Percept)
 
-/** White space and comments that may stand between the tokens of a percept. */
+/** White space and comments between the tokens of a percept. */
 val blanks: Arb<String> =
     Arb.choice(Arb.constant(""), Arb.constant(""), Arb.element(" ", "\t", "\n", " \r\n ", "/* , ) */", "// ]\n", "/***/"))
 

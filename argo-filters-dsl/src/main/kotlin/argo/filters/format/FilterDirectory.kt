@@ -13,8 +13,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.visitFileTree
 
 /**
- * A directory with filter files. Only links to files within [boundary] are followed. If [foreignFiles] is true, the directory may also
- * contain other files, and [names] leaves these out.
+ * A directory with filter files. A link is followed only if it leads to a file within [boundary]. If [foreignFiles] is true, the
+ * directory may also contain other files. [names] leaves these out.
  */
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 
@@ -36,7 +36,7 @@ internal class FilterDirectory(private val directory: Path, private val boundary
     override fun names(): List<String> =
         filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
 
-    /** Returns true if a file looks like a filter. An unreadable file counts as a filter, since it may be one. */
+    /** Returns true if a file looks like a filter. An unreadable file counts as a filter. */
     private fun isFilter(fileName: String): Boolean = try {
         FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
     } catch (_: IOException) {
@@ -48,7 +48,7 @@ internal class FilterDirectory(private val directory: Path, private val boundary
 
 private const val DEPTH = 8
 
-/** Returns the filter files under [directory], relative to it; none if [directory] is no directory. */
+/** Returns the filter files under [directory], as relative paths. Empty if [directory] is no directory. */
 internal fun filesUnder(directory: Path, depth: Int = DEPTH): List<String> = buildList {
     directory.visitFileTree(depth) {
         onVisitFile { file, _ ->

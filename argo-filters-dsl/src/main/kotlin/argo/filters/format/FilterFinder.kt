@@ -8,18 +8,19 @@ import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
- * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. It then searches the files in
- * each of [projectDirectories] and in its folder `filters/`, and last the folder `filters/` on the class path. Safe for use by several
+ * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. Then it searches each of
+ * [projectDirectories] and its folder `filters/`. Last it searches the folder `filters/` on the class path. Safe for use by several
  * threads at once.
  *
- * Files are XML (`.xml`) or JSON (`.json`). A name may omit this ending; an XML file is then preferred. A name may contain folders
- * (`night/dark`). A name that leads out of the searched places is refused: absolute paths, `..`, backslashes, and links to files outside.
+ * Files are XML (`.xml`) or JSON (`.json`). A name may omit this ending. The finder then prefers an XML file. A name may contain folders
+ * (`night/dark`). The finder refuses a name that leads out of the searched places: absolute paths, `..`, backslashes, and links to files
+ * outside.
  */
 class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     private val places: List<FilterPlace> =
         listOf(ProvidedFilters(classLoader)) + projectDirectories.flatMap(::placesOf) + FilterResources(classLoader, FOLDER)
 
-    /** Searches in a single project directory. */
+    /** Creates a finder for a single project directory. */
     constructor(projectDirectory: Path, classLoader: ClassLoader) : this(listOf(projectDirectory), classLoader)
 
     private fun placesOf(project: Path) = listOf(
@@ -30,10 +31,10 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     /**
      * Returns the filter called [name]. Each call reads the filter again.
      *
-     * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the searched places and
-     *   the existing filters
-     * @throws FilterException if its text is refused
-     * @throws java.io.IOException if its file cannot be read
+     * @throws FilterNotFoundException if there is no such filter, or if several providers offer different filters of this name; the
+     *     message says which
+     * @throws FilterException if the filter's text is refused
+     * @throws java.io.IOException if the filter's file cannot be read
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
     fun find(name: String): PerceptionFilter {
@@ -42,14 +43,14 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters that [find] may find, sorted. Places that cannot be listed are left out. [find] may refuse a listed
-     * file because it is no filter.
+     * Returns the sorted names of all filters that [find] may find. Leaves out places that cannot be listed. A listed file may turn out
+     * to be no filter, and [find] then refuses it.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
     fun names(): List<String> = places.flatMap(FilterPlace::names).filter { nameProblem(it) == null }.distinct().sorted()
 
-    /** Returns the file on the disk that [find] reads for [name]; null: there is no such file. */
+    /** Returns the file on the disk that [find] reads for [name], or null. */
     fun path(name: String): Path? = places.firstNotNullOfOrNull { it.path(name) }
 
     private fun requireInside(name: String) {

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.PerceptionFilter
 import java.io.InputStream
 
-/** The kinds of filter files, in the order in which they are searched for. */
+/** The kinds of filter files, in the order of the search. */
 internal enum class FilterFormat(
     val extension: String,
     private val mark: String,
@@ -16,7 +16,7 @@ internal enum class FilterFormat(
     fun isLikely(text: String): Boolean = mark in text
 
     companion object {
-        /** Returns the format of a file with this name; null if no filter file has such a name. */
+        /** Returns the format for a file name, or null if filter files have no such names. */
         fun of(fileName: String): FilterFormat? = entries.find { fileName.endsWith(it.extension) }
 
         fun bareName(name: String): String = of(name)?.let { name.removeSuffix(it.extension) } ?: name

@@ -13,18 +13,18 @@ import kotlin.io.path.toPath
 
 /** A place with filters: a directory, or a part of the class path. `toString` returns the place's name for messages. */
 internal interface FilterPlace {
-    /** Returns the filter called [name]; null if there is none. The caller has checked that [name] does not lead out of the place. */
+    /** Returns the filter called [name], or null. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
 
-    /** Returns the file on the disk that [find] reads for [name]; null: [find] reads no such file. */
+    /** Returns the file on the disk that [find] reads for [name], or null. */
     fun path(name: String): Path? = null
 
-    /** Returns the names of the place's filters, for messages; empty if the place cannot be listed. */
+    /** Returns the names of the place's filters, for messages. Empty if the place cannot be listed. */
     fun names(): List<String>
 }
 
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Each call loads the providers again, since only one thread at a time may use a loader. */
+    /** Each call loads the providers again, because a loader is not thread-safe. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
@@ -42,11 +42,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** Calls [load] and returns the result. If [load] fails, the message lists the causes, down to a filter that was refused. */
+    /** Calls [load] and returns the result. If [load] fails, throws an error whose message lists all causes. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // a class whose static initializer fails causes a linkage error
+        // a failing static initializer causes a linkage error
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
@@ -65,7 +65,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 
     override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
 
-    /** Accepts only regular files, since reading a pipe may never end. */
+    /** Accepts only regular files: reading a pipe may never end. */
     private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
@@ -85,7 +85,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
         }
     }
 
-    /** Opens [url] without the URL cache, since the cache would keep the jar open. */
+    /** Opens [url] without the URL cache. The cache would keep the jar open. */
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"

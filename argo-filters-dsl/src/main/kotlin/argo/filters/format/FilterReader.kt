@@ -19,7 +19,7 @@ import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
 
 /**
- * Reads a filter from the tree that [parse] makes of a document.
+ * Reads a filter from the tree that [parse] makes from a document.
  *
  * @throws FilterException with all problems of the document, in the order of the text
  */
@@ -30,11 +30,9 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
     return checkNotNull(filter) { "a document without problems is a filter" }
 }
 
-/** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
+/** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and skips them. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
-    /**
-     * The [names] of members of an argument that are no part of a condition, and the function [read] for them and for the argument's index.
-     */
+    /** Further members of an argument, outside of conditions: their [names], and the function [read], which reads them. */
     private class Besides(val names: List<String>, val read: (members: Map<String, Member>, index: Int?) -> Unit)
 
     fun filter(node: FilterNode): PerceptionFilter? {
@@ -105,7 +103,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
     private fun window(member: Member?): Int? =
         scalar(member, Scalar::isBare, SmoothingRule.WINDOW) { it.trim().toIntOrNull()?.takeIf(SmoothingRule::isWindow) }
 
-    /** Returns the rule without its rate. [besides] reads the members of arguments that are no part of a condition. */
+    /** Returns the rule without its rate. [besides] reads members of arguments outside of conditions. */
     private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, besides) }
@@ -119,7 +117,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    /** Returns the condition of [node]; null if [node] has only other members, or the condition is refused. */
+    /** Returns the condition of [node]. Returns null if [node] has no condition, or if the condition is refused. */
     private fun condition(node: FilterNode, besides: Besides): Condition? {
         val known = listOf(ARGUMENT, ANNOTATION, OPERATOR, VALUE, UNTIL, LIMITS) + besides.names
         val members = members(node, "a condition", *known.toTypedArray()) ?: return null
@@ -181,7 +179,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return operator
     }
 
-    /** Returns [value] in Jason's syntax: a number or text unchanged, an array as a list of values. */
+    /** Returns [value] in Jason's syntax. A number or text stays as it is. An array becomes a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
@@ -209,7 +207,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
-    /** Applies [read] to a scalar of the right kind. Reports a value of another kind, or one for which [read] returns null. */
+    /** Applies [read] to a scalar of the right kind. Reports any other value, and any value for which [read] returns null. */
     private fun <T> scalar(member: Member?, isOfKind: (Scalar) -> Boolean, expected: String, read: (String) -> T?): T? {
         if (member == null || member.value is FilterNode.Refused) return null
         val found = (member.value as? Scalar)?.takeIf(isOfKind)?.let { read(it.content) }
@@ -224,7 +222,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return emptyList()
     }
 
-    /** Returns the members of [node] by name; null if [node] is no object. Reports members that are not [known] or come twice. */
+    /** Returns the members of [node] by name. Returns null if [node] is no object. Reports unknown and repeated members. */
     private fun members(node: FilterNode, what: String, vararg known: String): Map<String, Member>? {
         if (node !is FilterNode.Object) {
             report(node.position, "${node.words} where $what is expected, an object with ${known.joinToString(" or ")}")
@@ -269,7 +267,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         const val AMONG = "among"
         const val MEDIAN = "median"
 
-        /** The members of an argument that define how the argument is smoothed. */
+        /** The members that define how an argument is smoothed. */
         val SMOOTHING = listOf(MAX_RATE, OUTLIERS, AMONG, MEDIAN)
         private val NUMBER = Regex("-?\\d.*")
     }

@@ -16,7 +16,7 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter
 import com.fasterxml.jackson.core.util.Separators
 import java.io.StringWriter
 
-/** Writes filters in the canonical form of the JSON format. Members that are null are left out. */
+/** Writes filters in the canonical form of the JSON format. Leaves out members that are null. */
 internal class JsonFilterWriter {
     private val text = StringWriter()
     private val json: JsonGenerator = JsonFactory().createGenerator(text).setPrettyPrinter(printer())

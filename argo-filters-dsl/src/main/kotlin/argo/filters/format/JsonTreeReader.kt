@@ -11,7 +11,7 @@ import com.fasterxml.jackson.core.exc.StreamConstraintsException
 import com.fasterxml.jackson.core.io.ContentReference
 import com.fasterxml.jackson.core.io.JsonEOFException
 
-/** Reads a JSON document into values with their positions. Members of the same name stay separate. */
+/** Reads a JSON document into values with their positions. Keeps repeated members separate. */
 internal class JsonTreeReader(text: String, private val source: String) {
     private val parser = FACTORY.createParser(text)
 
@@ -25,7 +25,7 @@ internal class JsonTreeReader(text: String, private val source: String) {
         refuse(e.location ?: parser.currentLocation(), words(e))
     }
 
-    /** Describes the fault in the terms of JSON. The parser's own message names classes, settings and readers. */
+    /** Describes the fault in the terms of JSON. The parser's own message mentions classes, settings and readers. */
     private fun words(e: JsonProcessingException): String {
         val found = e.originalMessage
         return when {
@@ -75,7 +75,7 @@ internal class JsonTreeReader(text: String, private val source: String) {
         const val DEPTH = "nesting depth"
         const val CLOSE = "close marker"
 
-        /** Beginnings of the parser's messages, each with the missing part of the document. */
+        /** Beginnings of the parser's messages. Each has the missing part of the document. */
         val EXPECTED = mapOf(
             "to start field name" to "a name in double quotes",
             "expecting a colon" to "a colon between a name and its value",

@@ -10,13 +10,13 @@ import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Writes filters as Kotlin source. ARGO cannot read Kotlin source back; only a Kotlin compiler can. */
+/** Writes filters as Kotlin source. ARGO cannot read this source, only a Kotlin compiler can. */
 object KotlinFilters {
     /**
-     * Returns the text of a Kotlin file with LF line ends. The file's only property is an equal filter of the same name.
+     * Returns the text of a Kotlin file with LF line ends. The file's only property is an equal filter with an equal name.
      *
-     * The property has the filter's name, in backquotes if Kotlin requires them. In this name, `_` replaces characters that a Java method
-     * or file name cannot contain.
+     * The property's name is the filter's name, in backquotes if Kotlin requires them. `_` replaces characters that a Java method or file
+     * name cannot contain.
      *
      * @throws IllegalArgumentException if agents cannot call [filter] by its name
      */

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.FilterException
 import argo.filters.Problem
 
-/** Collects all problems of the document called [source] before they are reported. */
+/** Collects the problems of the document called [source]. */
 internal class Problems(private val source: String) {
     private val found = ArrayList<Problem>()
 

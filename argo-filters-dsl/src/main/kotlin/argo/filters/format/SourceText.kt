@@ -7,12 +7,12 @@ import java.nio.CharBuffer
 import java.nio.charset.Charset
 import java.nio.charset.CodingErrorAction
 
-/** A position in a text. Line and column are counted from 1, columns in characters. */
+/** A position in a text. Lines and columns are counted from 1, columns in characters. */
 internal data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
 }
 
-/** A text with the positions of its lines. Lines end with LF, CR or both. */
+/** A text with the positions of its lines. A line ends with LF, CR or both. */
 internal class SourceText(val text: String) {
     private val lineStarts: IntArray = intArrayOf(0) +
         text.indices.filter { text[it] == '\n' || text[it] == '\r' && text.getOrNull(it + 1) != '\n' }.map { it + 1 }
@@ -32,7 +32,7 @@ internal class SourceText(val text: String) {
 /**
  * Decodes [bytes] from [charset], and removes a byte-order mark.
  *
- * @throws FilterException if some bytes are not in the charset; the exception contains their position in [source]
+ * @throws FilterException if some bytes are not in the charset; the exception has their position in [source]
  */
 internal fun decodeStrictly(bytes: ByteArray, charset: Charset, source: String): String {
     val chars = CharBuffer.allocate(bytes.size + 1)

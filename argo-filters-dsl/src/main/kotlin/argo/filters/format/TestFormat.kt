@@ -4,12 +4,12 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.TermTest
 
-/** Reads and writes the tests in filter files: an operator and a value, both as text. */
+/** Reads and writes the tests in filter files. A test is an operator and a value, both as text. */
 internal object TestFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
 
-    /** Operators as earlier files write them: equal, bigger, bigger or equal, smaller, smaller or equal. */
+    /** Operators in earlier files: equal, bigger, bigger or equal, smaller, smaller or equal. */
     private val ALIASES = mapOf(
         "E" to Operator.EQ, "B" to Operator.GT, "BE" to Operator.GE, "S" to Operator.LT, "SE" to Operator.LE,
     )
@@ -22,13 +22,13 @@ internal object TestFormat {
     val NAMES: String = OPERATORS.joinToString(", ") +
         ALIASES.entries.joinToString(", ", " (or ", ")") { (alias, operator) -> "$alias for $operator" }
 
-    /** Returns the canonical name of the operator [written], which may be an alias or in lower case; null: there is no such operator. */
+    /** Returns the canonical name of the operator [written], or null. [written] may be an alias or in lower case. */
     fun operator(written: String): String? = CANONICAL[written.trim()]
 
     /**
      * Returns the test of a canonical [operator] with the value [written].
      *
-     * @throws IllegalArgumentException if the value does not suit the operator; the message tells which values suit it
+     * @throws IllegalArgumentException if the value does not suit the operator; the message says which values do
      */
     fun test(operator: String, written: String): TermTest = when (operator) {
         MATCHES -> TermTest.Matches(written)

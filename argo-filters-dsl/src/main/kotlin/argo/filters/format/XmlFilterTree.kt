@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
 
-/** Converts an XML document into the tree for [FilterReader]. Reports elements and attributes that are not allowed to [problems]. */
+/** Converts an XML document into the tree for [FilterReader]. Reports wrong elements and attributes to [problems]. */
 internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
 
     fun filter(): FilterNode? {
@@ -67,7 +67,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** Reads a limit. If the limit names no operator, it gets the operator of the element [around] it. */
+    /** Reads a limit. A limit without an operator gets the operator of the element [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -95,7 +95,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
     }
 
-    /** Reports [problem], unless the document breaks off in [element]: the break is then the cause. */
+    /** Reports [problem]. If the document breaks off in [element], the break is the cause, so reports nothing. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
         if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)
@@ -137,7 +137,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
      *
      * @param member the member of the filter that has these rules
      * @param attributes the attributes that a rule may have
-     * @param ofArguments the attributes that the rule's parameters may have in addition to those of a condition
+     * @param ofArguments further attributes that the rule's parameters may have
      */
     private class RuleKind(val member: String, val attributes: Array<String>, val ofArguments: Array<String>)
 
@@ -167,10 +167,10 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         /** Attributes whose values are numbers. */
         val NUMBERS = FilterReader.SMOOTHING + FilterReader.DEADBAND + FilterReader.UNTIL
 
-        /** Maps attributes to members of the tree that have another name. */
+        /** Maps attributes to members of the tree with other names. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
-        /** Files of earlier versions use the second spelling. [XmlTree] handles other differences of such files. */
+        /** The second spelling is that of earlier files. [XmlTree] handles other differences of earlier files. */
         val ANNOTATION = arrayOf("annotation", "anotation")
     }
 }

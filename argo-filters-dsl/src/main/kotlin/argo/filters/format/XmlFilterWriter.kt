@@ -7,7 +7,7 @@ import argo.filters.Rule
 import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
-/** Writes filters in the canonical XML form: every operator is written, and the parts of a rule are in the order of [Rule]. */
+/** Writes filters in the canonical XML form. This form has every operator, and a rule's parts in the order of [Rule]. */
 internal class XmlFilterWriter {
     private val text = StringBuilder("<?xml version=\"1.0\"?>\n")
     private var depth = 0
@@ -83,7 +83,10 @@ internal class XmlFilterWriter {
         text.append("  ".repeat(depth)).append(line).append('\n')
     }
 
-    /** Returns [text] with character references in place of markup and of the characters [unsafe], which a parser would change. */
+    /**
+     * Returns [text] with character references for markup and for the characters in [unsafe]. A parser would change the unsafe
+     * characters.
+     */
     private fun escaped(text: String, unsafe: String): String {
         val foreign = text.codePoints().filter { !isXml(it) }.findFirst()
         require(foreign.isEmpty) { "XML cannot hold the character U+%04X, which stands in %s".format(foreign.asInt, text) }

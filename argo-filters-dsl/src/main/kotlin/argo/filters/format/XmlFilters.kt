@@ -14,10 +14,10 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document. Its XML declaration or byte-order mark (UTF-8 or UTF-16) determines the encoding; without these, the
-     *   encoding is UTF-8. Not closed.
+     * @param input the XML document. Its XML declaration or byte-order mark (UTF-8 or UTF-16) determines the encoding. The default is
+     *     UTF-8. [read] does not close it.
      * @param source the file or other source of the document, for messages
-     * @param name the filter's name; usually the last part of [source] without `.xml`
+     * @param name the filter's name, by default the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text
      * @throws java.io.IOException if [input] cannot be read
      */
@@ -26,18 +26,18 @@ object XmlFilters {
         return read(decodeStrictly(bytes, encodingOf(bytes, source), source), source, name)
     }
 
-    /** Reads a filter from decoded text. Parameters and errors are those of the other [read]. */
+    /** Reads a filter from decoded text. The other [read] describes the parameters and errors. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { XmlFilterTree(XmlTree(input.removePrefix("\uFEFF"), source), it).filter() }
 
     /**
-     * Returns the filter as an XML document with LF line ends. [read] turns it back into an equal filter.
+     * Returns the filter as an XML document with LF line ends. [read] turns this document into an equal filter.
      *
      * @throws IllegalArgumentException if a functor or a string of the filter contains a character that XML cannot express
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
 
-    /** Finds a document's encoding from its first bytes. [read] reports bytes that are not in this encoding. */
+    /** Returns a document's encoding, found in its first bytes. [read] reports bytes that are not in this encoding. */
     private fun encodingOf(bytes: ByteArray, source: String): Charset {
         val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
         val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()

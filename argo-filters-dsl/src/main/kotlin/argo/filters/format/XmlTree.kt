@@ -9,10 +9,10 @@ import javax.xml.stream.XMLStreamReader
 
 internal class XmlAttribute(val name: String, val value: String, val position: Position)
 
-/** Text between two tags. [position] is the position of the first character that is not white space. */
+/** Text between two tags. [position] is that of the first character that is not white space. */
 internal class XmlText(val text: String, val position: Position)
 
-/** An element of the document. Names keep their prefix. */
+/** An element of the document. Names keep their prefixes. */
 internal class XmlElement(val name: String, val position: Position, attributes: List<XmlAttribute>) {
     val attributes = ArrayList(attributes)
     val children = ArrayList<XmlElement>()
@@ -23,38 +23,38 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
-    /** The position of [text]; without a text, the position of the element. */
+    /** The position of [text], or of the element if there is no text. */
     val textPosition: Position
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
 
-/** Makes a factory for one document, since factories are not safe for several threads at once. */
+/** Makes a factory for one document, because factories are not thread-safe. */
 internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
     setProperty(XMLInputFactory.SUPPORT_DTD, false)
     setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
     setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
     setProperty(XMLInputFactory.IS_COALESCING, true)
-    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // otherwise the parser also prints the problems that it throws
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // else the parser also prints the problems that it throws
 }
 
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports only where a tag ends, so this class searches for the tag's beginning in [document]. It refuses a document type
- * declaration at once, so that the parser never expands or fetches an entity.
+ * The JDK's parser reports only the end of a tag. This class therefore searches for the tag's beginning in [document]. It refuses a
+ * document type declaration at once. The parser then never expands or fetches an entity.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)
     private val open = ArrayDeque<XmlElement>()
 
-    /** The position behind the last tag, comment or processing instruction. */
+    /** The position after the last tag, comment or processing instruction. */
     private var markupEnd = 0
 
-    /** The root element as far as it could be read; null if there is none. */
+    /** The root element, as far as it could be read, or null. */
     var root: XmlElement? = null
         private set
 
-    /** The problem that ended the reading early; null if there was none. */
+    /** The problem that ended the reading early, or null. */
     val problem: Problem? = try {
         read(xmlInputFactory().createXMLStreamReader(StringReader(document)))
     } catch (e: XMLStreamException) {
@@ -77,14 +77,14 @@ internal class XmlTree(private val document: String, private val source: String)
         return null
     }
 
-    /** Returns the end of the tag. The parser counts one character too few in a line that follows a bare carriage return. */
+    /** Returns the end of the tag. After a bare carriage return, the parser counts one character too few. */
     private fun endOf(reader: XMLStreamReader): Int {
         if (reader.location.lineNumber < 1) return document.length
         return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1
     }
 
     private fun start(reader: XMLStreamReader) {
-        val start = document.lastIndexOf('<', markupEnd - 1) // attributes cannot contain this character
+        val start = document.lastIndexOf('<', markupEnd - 1) // attributes cannot contain <
         val tag = document.substring(start, markupEnd)
         val offsets = ATTRIBUTE.findAll(tag).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
         val attributes = (0 until reader.attributeCount).map {
@@ -128,7 +128,7 @@ internal class XmlTree(private val document: String, private val source: String)
     private companion object {
         val ATTRIBUTE = Regex("""\s([^\s=]+)\s*=\s*(?:"[^"]*"|'[^']*')""")
 
-        /** Files of 2014 have elements instead of these attributes. */
+        /** In files of 2014, these attributes are elements. */
         val ATTRIBUTE_ELEMENTS = setOf("id", "name", "operator")
     }
 }

@@ -17,11 +17,11 @@ import jason.asSyntax.Term
 
 /**
  * Reads one literal in a form that boards usually send. Returns null for text that needs Jason's full grammar: namespaces, variables,
- * operators, comments, reserved words.
+ * operators, comments and reserved words.
  */
 internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
-    /** Returns the literal that Jason's parser would return; null if the text is left to Jason's parser. */
+    /** Returns the literal that Jason's parser would return. Returns null if Jason's parser must read the text. */
     fun parse(): Literal? = literal()?.takeIf { blanks() == end }
 
     private fun literal(depth: Int = 0): Literal? {
@@ -36,7 +36,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return literal
     }
 
-    /** Reads an atom in quotes, or a word that can only be an atom. A word with a dot may be an internal action or a function. */
+    /** Reads a quoted atom, or a word that can only be an atom. A word with a dot may be an internal action or a function. */
     private fun functor(): String? {
         val start = at
         if (start >= end) return null
@@ -87,7 +87,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return double()?.let { NumberTermImpl(it).apply { srcInfo = SOURCE } }
     }
 
-    /** Stops at line breaks and comments: a term contains its line number, so texts of several lines are left to Jason's parser. */
+    /** Stops at line breaks and comments. A term contains its line number, so Jason's parser reads texts of several lines. */
     override fun blanks(): Int {
         while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
         return at
@@ -96,11 +96,11 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     private companion object {
         const val MAX_DEPTH = 64
 
-        /** A word that one of these characters follows is only the beginning of a name or a structure. */
+        /** A word before one of these characters is only the beginning of a name or a structure. */
         val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 
-        /** The source position of terms that Jason's parser reads from a text of one line. */
+        /** The source position that Jason's parser gives to terms in a text of one line. */
         val SOURCE: SourceInfo = ASSyntax.parseLiteral("a").srcInfo
     }
 }

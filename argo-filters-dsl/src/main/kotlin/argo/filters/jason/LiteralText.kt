@@ -19,22 +19,23 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
-/** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. The session begins without a filter. */
+/** Makes a session for percepts that are Jason literals, as from a Jason environment. The session begins without a filter. */
 fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { percept ->
     val annotation = ASSyntax.createAtom("smoothed")
     if (percept.hasAnnot(annotation)) percept else percept.copy().apply { addAnnot(annotation) }
 }
 
 /**
- * Returns the text of [percept] as a board would send it, for filters. Never throws.
+ * Returns the text of [percept] in the form that boards send, for filters. Never throws.
  *
- * Unlike `toString`, it escapes quotes and line breaks in strings. A term that is nested too deep for filters is written as a variable.
+ * Unlike `toString`, this function escapes quotes and line breaks in strings. It writes a variable in place of a term that is nested too
+ * deep for filters.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
     depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
-    term.isVar -> term.toString() // checked first, since to Jason a variable is also a list, a string and a number
+    term.isVar -> term.toString() // first: in Jason, a variable is also a list, a string and a number
     term is StringTerm -> term.string?.let { "${GroundTerm.Text(it)}" } ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"
@@ -58,5 +59,5 @@ private fun isPlain(literal: Literal) = when (literal) {
     else -> true
 }
 
-/** A variable, for which every condition is false. */
+/** A variable. Every condition on it is false. */
 private const val NO_VALUE = "_"

@@ -9,12 +9,12 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Turns a board's messages into percepts: splits a message into texts, filters them, reads the kept texts, and limits their number.
+ * Turns a board's messages into percepts. Splits a message into texts, filters them, reads the kept texts, and limits their number.
  *
- * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
+ * The caller passes the time in milliseconds of a clock that never goes back. Not thread-safe.
  *
- * @param read returns the literals in a percept's text; none if the text cannot be read
- * @param limit is called with the kept and the critical percepts, and returns those that the agent is to believe
+ * @param read returns the literals in a percept's text, or none if the text cannot be read
+ * @param limit gets the kept and the critical percepts, and returns those that the agent is to believe
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
@@ -22,20 +22,20 @@ class MessageSession(
 ) {
     private val session = FilterSession.ofTexts()
 
-    /** The active filter; null: everything is kept. */
+    /** The active filter. Null: all percepts are kept. */
     val filter: PerceptionFilter?
         get() = session.filter
 
-    /** Makes [filter] the active filter from the next perception on, like [FilterSession.switchTo]; null: no filter is active. */
+    /** Makes [filter] the active filter from the next perception on, like [FilterSession.switchTo]. Null: no filter. */
     fun switchTo(filter: PerceptionFilter?): Unit = session.switchTo(filter)
 
-    /** Returns what the agent perceives of [message] at [nowMs]. */
+    /** Returns the agent's perception of [message] at [nowMs]. */
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
     /**
-     * Returns what the agent perceives of a message that has been split into the [texts] of its percepts.
+     * Returns the agent's perception of a message that has been split into the [texts] of its percepts.
      *
-     * @param old the texts of percepts whose sensors have not been read since the last message; see [FilterSession.perceive]
+     * @param old the texts of percepts whose sensors were not read since the last message; see [FilterSession.perceive]
      */
     fun perceive(texts: List<String>, nowMs: Long, old: Set<String> = emptySet()): MessagePerception =
         literals(session.perceive(texts, nowMs, old))
@@ -43,7 +43,7 @@ class MessageSession(
     /** Forgets earlier percepts, like [FilterSession.forget]. */
     fun forget(): Unit = session.forget()
 
-    /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */
+    /** Returns the last message with the held-back percepts that are due at [nowMs]. Returns null if no percept is due. */
     fun due(nowMs: Long): MessagePerception? = session.due(nowMs)?.let(::literals)
 
     /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs]. Changes nothing. */
@@ -63,10 +63,10 @@ class MessageSession(
  * The percepts of one message that reach an agent.
  *
  * @property texts the percepts as texts, and the time at which the next held-back percept is due
- * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
- * @property seen the literals of percepts that were in the message and that the filter let through
+ * @property percepts the literals that the agent is to believe: those that are kept, readable and within the limit
+ * @property seen the literals of the message's percepts that the filter let through
  * @property critical the percepts that meet critical rules, once for each such rule
- * @property unreadable the kept texts of which no part can be read as a literal
+ * @property unreadable the kept texts that contain no readable literal
  */
 class MessagePerception internal constructor(
     val texts: FilteredPercepts<String>,

@@ -4,12 +4,12 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
 
-/** The text of a percept is no literal. The message contains the error of Jason's parser. */
+/** Thrown if the text of a percept is no literal. The message contains the error of Jason's parser. */
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * Reads percepts into the same literals as Jason's own parser. The forms that boards usually send are read faster: functors, atoms,
- * numbers, strings, nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string denotes a
+ * Reads percepts into the literals that Jason's own parser would return. Reads usual forms faster than Jason: functors, atoms, numbers,
+ * strings, nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string stands for a
  * character that Jason's syntax cannot express. Safe for use by several threads at once.
  */
 object PerceptReader {
@@ -18,7 +18,7 @@ object PerceptReader {
     /**
      * Reads the literal in the text [percept]. Returns a new literal at each call.
      *
-     * @throws PerceptSyntaxException if [percept] is no literal, or is nested too deep for Jason's parser
+     * @throws PerceptSyntaxException if [percept] is no literal, or if it is nested too deep for Jason's parser
      */
     @JvmStatic
     fun read(percept: String): Literal = FastLiteralParser(percept).parse() ?: parseWithJason(percept)
@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // ParseException, or RuntimeException for an expression that is no formula, or a large number
+        throw refusal(percept, e) // a RuntimeException comes from an expression that is no formula, or from a large number
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

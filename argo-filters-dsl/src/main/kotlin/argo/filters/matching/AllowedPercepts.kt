@@ -10,17 +10,17 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
         .groupBy({ it.index }, { it.untilTest() ?: it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
-    /** Returns, in words, conditions on one term that no term can meet together; null: no such conditions are found. */
+    /** Returns, in words, conditions on one term that no term can meet together. Returns null if none are found. */
     fun contradiction(): String? {
         val argument = arguments.entries.find { it.value.isEmpty() }
         if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
         return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
     }
 
-    /** Returns true if in all percepts of this set the argument at [index] is known to be the same number, or no number. */
+    /** Returns true if the conditions certainly allow at most one number for the argument at [index]. */
     fun isFixed(index: Int): Boolean = arguments[index]?.isFixed() == true
 
-    /** Returns true if every percept of this set is known to meet [condition]. */
+    /** Returns true if the conditions certainly imply [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
         is Condition.Argument -> condition in conditions || arguments[condition.index]?.imply(condition.test) == true
         is Condition.Annotation -> annotations.any { (name, terms) -> name == condition.name && condition.tests.all(terms::imply) }
@@ -31,7 +31,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     private val range =
         tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
 
-    /** All terms that meet the tests, if these name the values that they allow; null otherwise. */
+    /** All terms that meet the tests, if the tests list the allowed values; else null. */
     private val values: Set<GroundTerm>? =
         (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
@@ -55,9 +55,9 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     }
 }
 
-/** Numbers between two limits. If a limit is open (see [isFromOpen]), the limit itself is outside of the range. */
+/** Numbers between two limits. An open limit is itself outside of the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
-    /** The numbers that meet [test], whose operator is an ordering. */
+    /** The range of numbers that meet [test], which compares by order. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
 
     private constructor(operator: Operator, limit: Double) : this(

@@ -17,8 +17,8 @@ import argo.filters.TermTest
 /**
  * A rule in a form that is fast to apply.
  *
- * @property critical the critical rule whose conditions these are; null: there is none
- * @property smoothing the smoothing rule whose conditions these are; null: there is none
+ * @property critical the critical rule with these conditions, or null
+ * @property smoothing the smoothing rule with these conditions, or null
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, val smoothing: SmoothingRule? = null) {
     private val predicate = rule.predicate
@@ -30,7 +30,10 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     /** True if a condition has two limits. */
     val hasLatches: Boolean = compiled.any { it.isLatch }
 
-    /** Returns true if the rule is for percepts with this [tail] and [head]; [head] is null without a namespace and a negation. */
+    /**
+     * Returns true if the rule is for percepts with this [tail] and [head]. [head] is null if there is neither a namespace nor a
+     * negation.
+     */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -38,14 +41,14 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     }
 
     /**
-     * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
-     * know which conditions with two limits held for the last message, and note which hold now; null: none held.
+     * Returns true if the percept in [text] meets all conditions. Its functor ends at [functorEnd], and [tail] follows. [latches] know
+     * which conditions with two limits held for the last message, and record which hold now. Null: none held.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
-        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // so that latches note each one
+        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // latches must see each one
         else compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
 
-    /** Returns the first condition that the percept does not meet. The parameters are those of [areMet]. */
+    /** Returns the first condition that the percept does not meet. [areMet] describes the parameters. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail, latches) }]
 
@@ -67,7 +70,7 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets the condition. */
+    /** Returns true if the percept in [text] meets the condition. Its functor ends at [functorEnd], and [tail] follows. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
@@ -95,7 +98,7 @@ private class CompiledCondition(condition: Condition) {
             tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
 }
 
-/** A test of a term in its text. Plain atoms and numbers are compared in place. Other terms are first read into a [GroundTerm]. */
+/** A test of a term in its text. Compares plain atoms and numbers in place. Reads other terms into a [GroundTerm] first. */
 internal class CompiledTest(private val test: TermTest) {
     private val operator = (test as? TermTest.Compare)?.operator ?: Operator.EQ
     private val values: Set<GroundTerm> = when (test) {
@@ -106,7 +109,10 @@ internal class CompiledTest(private val test: TermTest) {
     private val atoms: Array<String> = values.mapNotNull(::plainAtom).toTypedArray()
     private val numbers: DoubleArray = values.filterIsInstance<GroundTerm.Number>().map(GroundTerm.Number::value).toDoubleArray()
 
-    /** Returns true if the term in [text] from [start] to [end] meets the test. The character at [start] is never a blank. Never throws. */
+    /**
+     * Returns true if the term in [text] from [start] to [end] meets the test. The character at [start] must not be a blank. Never
+     * throws.
+     */
     fun isMetBy(text: CharSequence, start: Int, end: Int): Boolean {
         if (test is TermTest.Matches) return isMetBy(GroundTermReader(text, start, end).readWhole())
         if (text[start] in 'a'..'z') {
@@ -120,14 +126,19 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test. Null: the term is no value, but for example a variable. */
+    /** Returns true if [value] meets the test. Null stands for a term that is no value, such as a variable. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Decides whether a term meets the test. [isEqual]: the term equals one of the test's values. [number]: the term's number, or NaN. */
+    /**
+     * Decides whether a term meets the test.
+     *
+     * @param isEqual whether the term equals one of the test's values
+     * @param number the term's number, or NaN
+     */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual
@@ -137,7 +148,7 @@ internal class CompiledTest(private val test: TermTest) {
         Operator.LE -> number <= numbers[0]
     }
 
-    /** Returns the name of [value] if it is an atom without quotes, negation, namespace and annotations; null otherwise. */
+    /** Returns the name of [value] if it is an atom without quotes, negation, namespace and annotations, else null. */
     private fun plainAtom(value: GroundTerm): String? =
         (value as? GroundTerm.Structure)?.predicate?.functor?.takeIf { value == GroundTerm.Structure(Predicate(it)) && it[0] != '\'' }
 }

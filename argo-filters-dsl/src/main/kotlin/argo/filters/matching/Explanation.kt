@@ -10,26 +10,32 @@ import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
 /**
- * The reason why a filter keeps, drops, replaces or holds back a percept.
+ * Explains why a filter keeps, drops, replaces or holds back a percept.
  *
- * @property rule the rule that decided; null if no rule applies to the percept
- * @property reason the reason in words, as in `it matches rule 3: distance where argument 0 is not front`
+ * @property rule the deciding rule, or null if no rule applies to the percept
+ * @property reason the reason in words, such as `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
-    /** What the filter does with a percept. */
+    /** The filter's decision about a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** The percept is delivered later. Until then, the agent perceives the last percept of the same kind that was let through. */
+        /** The percept is delivered later. Until then, the agent perceives the last percept of its kind that was let through. */
         HELD_BACK("is held back"),
 
-        /** A smoothing rule replaces the percept by another one of the same sensor, which may in turn be kept, dropped or held back. */
+        /**
+         * A smoothing rule replaces the percept by another percept of its sensor. The filter then keeps, drops or holds back the other
+         * percept.
+         */
         REPLACED("is replaced"),
     }
 
-    /** `distance(right,30) is dropped by filter frontDistance: it matches rule 3: distance where argument 0 is not front`. */
+    /**
+     * Returns text such as
+     * `distance(right,30) is dropped by filter frontDistance: it matches rule 3: distance where argument 0 is not front`.
+     */
     override fun toString(): String = "$percept ${outcome.words}$reason"
 
     internal companion object {
@@ -41,7 +47,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
-        /** Explains what happens to [percept]. If it replaces [received], critical rules that are not smoothed test [received]. */
+        /** Explains what happens to [percept], which may replace [received]. Critical rules that are not smoothed test [received]. */
         fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
             val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
             if (critical != null) {
@@ -64,7 +70,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         }
 
         /**
-         * Explains that [rule] replaces [received] by another percept, for this [reason]. [of] explains what happens to the other percept.
+         * Explains that [rule] replaces [received] by another percept, for this [reason]. [of] is the explanation for the other percept.
          */
         fun replaced(matcher: PerceptMatcher, received: PerceptText, rule: CompiledRule, reason: String, of: Explanation): Explanation {
             val why = " by filter ${matcher.filter.name}: ${by(rule.smoothing, matcher)} $reason; $of"

@@ -4,11 +4,11 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * Applies one agent's filters over time: it remembers which percepts were let through, held back and frozen, and the last percepts of each
+ * Applies one agent's filters over time. Remembers which percepts were let through, held back and frozen, and the last percepts of each
  * sensor.
  *
- * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
- * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
+ * [P] is the type of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The
+ * caller passes the time in milliseconds of a clock that never goes back. Not thread-safe.
  */
 class FilterSession<P : Any> internal constructor(private val textOf: (P) -> String, private val annotated: (P) -> P) {
     private var matcher: PerceptMatcher? = null
@@ -17,19 +17,19 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var latches: Latches? = null
     private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
-    private var frozen: Map<String, List<P>> = emptyMap() // by their text without numbers
+    private var frozen: Map<String, List<P>> = emptyMap() // key: the percepts' text without numbers
 
-    /** The active filter; null: everything is kept. */
+    /** The active filter. Null: all percepts are kept. */
     val filter: PerceptionFilter?
         get() = matcher?.filter
 
     /**
-     * Makes [filter] the active filter from the next perception on; null: no filter is active.
+     * Makes [filter] the active filter from the next perception on. Null: no filter.
      *
-     * If [filter] freezes beliefs, it keeps those percepts of the last perception that it hides. Until the next change of filters, every
-     * perception contains these frozen percepts. A frozen percept ends when one that differs only in numbers is let through. The session
-     * also [forgets][forget] earlier percepts. But conditions of critical rules that both filters have go on to hold until their second
-     * limits.
+     * If [filter] freezes beliefs, the session freezes the percepts of the last perception that [filter] hides. Until the next change of
+     * filters, every perception contains these frozen percepts. A frozen percept ends when a percept that differs only in numbers is let
+     * through. The session also [forgets][forget] earlier percepts. Exception: if both filters have a critical rule, its conditions
+     * continue to hold until their second limits.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.let { PerceptMatcher(it, matcher) }
@@ -41,8 +41,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Forgets the percepts that rates held back, and the last percepts of each sensor. Call this if later percepts must not be compared
-     * with earlier ones, for example if they come from another board.
+     * Forgets the held-back percepts and the last percepts of each sensor. Call this if later percepts must not be compared with earlier
+     * ones, for example after a change of boards.
      */
     fun forget() {
         rates = RateMemory(filter)
@@ -53,9 +53,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs]. [percepts] are all percepts received now. Text that is not a percept is kept.
+     * Returns the agent's perception at [nowMs]. [percepts] are all percepts received now. Keeps text that is not a percept.
      *
-     * @param old percepts whose sensors have not been read since the last call; smoothing rules do not count them again
+     * @param old percepts whose sensors were not read since the last call. Smoothing rules do not count them again
      */
     @JvmOverloads
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
@@ -66,8 +66,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs] if held-back percepts are due and no newer ones have come; null if none is due. The result
-     * is the last perception, in which each due percept replaces its predecessor.
+     * Returns the agent's perception at [nowMs] if held-back percepts are due and no newer percepts have come. Returns null if none is
+     * due. The result is the last perception, in which each due percept replaces the previous percept of its kind.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
@@ -88,7 +88,10 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         )
     }
 
-    /** Explains what happens to [percept], whose text is [standing], and which replaces a percept with the text [received]. */
+    /**
+     * Explains what happens to [percept], which replaces a received percept. [standing] is its text, and [received] is the text of the
+     * received percept.
+     */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
         val latches = latches?.ofNext()
         val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()
@@ -122,7 +125,10 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return FilteredPercepts(picture.received, kept, seen, critical?.toList().orEmpty(), holds.minOfOrNull { it.dueMs })
     }
 
-    /** Returns the percept that the agent perceives at index [place], once for each critical rule that is met; empty: none is met. */
+    /**
+     * Returns the percept that the agent perceives at index [place], once for each matching critical rule. Empty if no critical rule
+     * matches.
+     */
     private fun criticalAt(place: Int, matcher: PerceptMatcher): List<CriticalPercept<P>> {
         if (matcher.filter.critical.isEmpty()) return emptyList()
         val received = picture.received[place]
@@ -135,13 +141,14 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns what the agent perceives for [standing], the result of smoothing; null: nothing. Adds the rule that holds it back to [holds].
+     * Returns the agent's percept for [standing], the result of smoothing, or null if there is none. If a rule holds it back, adds the
+     * hold to [holds].
      *
-     * @param critical the percept that the agent perceives because critical rules are met; null: none is met
+     * @param critical the percept that the agent perceives because critical rules match; null: none matches
      */
     private fun decided(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         if (!rates.isEmpty) return rated(matcher, standing, critical, nowMs, holds)
-        val isDropped = matcher.drops(textOf(standing), latches) // latches note it even if a critical rule keeps the percept
+        val isDropped = matcher.drops(textOf(standing), latches) // runs even if a critical rule keeps the percept: latches record it
         return critical ?: standing.takeUnless { isDropped }
     }
 
@@ -177,7 +184,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** Makes a session for percepts that are texts, as boards send them. The session begins without a filter. */
+        /** Makes a session for percepts that are texts from boards. The session begins without a filter. */
         fun ofTexts(): FilterSession<String> = FilterSession({ it }, ::withSmoothed)
     }
 }

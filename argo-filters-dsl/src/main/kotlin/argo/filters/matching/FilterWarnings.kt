@@ -10,10 +10,15 @@ import argo.filters.SmoothingRule
 import argo.filters.nameProblem
 
 /**
- * Finds parts of the filter that have no effect and returns a sentence for each. Such parts are rules that no percept can match,
- * superfluous rules and conditions, deadbands and smoothing on missing arguments, smoothing of a single number, and critical rules on
- * smoothed percepts that no rule smooths. A filter without rules, or with a name that no agent can ask for, has no effect either. Rules are
- * counted from 1. A reported part never has an effect, but not every part without effect is reported.
+ * Finds parts of the filter that have no effect. Returns a sentence for each. Such parts are:
+ * - rules that no percept can match;
+ * - superfluous rules and conditions;
+ * - deadbands and smoothing on missing arguments;
+ * - smoothing of a single number;
+ * - critical rules on smoothed percepts that no rule smooths;
+ * - a filter without rules, or with a name that no agent can ask for.
+ *
+ * Rules are counted from 1. A reported part never has an effect. Not every part without effect is reported.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -33,7 +38,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on smoothing [rules]. A percept is smoothed by the first rule that it meets. */
+/** Returns the warnings on smoothing [rules]. The first rule that a percept meets smooths the percept. */
 private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = rules.take(number).find { it.covers(rule) }
@@ -50,7 +55,7 @@ private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List
     if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
-/** A rule of a filter called [name], with the percepts that its conditions allow. */
+/** A rule of a filter with its [name] for messages and the percepts that its conditions allow. */
 private class ReviewedRule(
     private val name: String,
     private val rule: Rule,
@@ -67,25 +72,30 @@ private class ReviewedRule(
         return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
     }
 
-    /** Warns if the critical rule is smoothed, but its predicate is not one of [smoothed], the predicates with smoothing rules. */
+    /**
+     * Warns if the critical rule is smoothed, but no smoothing rule has its predicate. [smoothed] are the predicates with smoothing
+     * rules.
+     */
     fun unsmoothed(smoothed: Set<Predicate>): String? =
         if (critical?.smoothed != true || rule.predicate in smoothed) null
         else sentence("is smoothed, and there is no smoothing rule on ${rule.predicate}")
 
-    /** Returns true if the critical rule tests the same percepts as ordinary rules. [smoothed]: the predicates with smoothing rules. */
+    /**
+     * Returns true if the critical rule tests the percepts that ordinary rules test. [smoothed] are the predicates with smoothing rules.
+     */
     fun seesWhatRulesSee(smoothed: Set<Predicate>): Boolean = critical?.smoothed == true || rule.predicate !in smoothed
 
-    /** Returns true if every percept that matches [other] matches this rule. */
+    /** Returns true if this rule matches every percept that matches [other]. */
     fun covers(other: ReviewedRule): Boolean =
         rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
             rule.conditions.all(other.allowed::imply)
 
-    /** Returns true if [other], a rule of the same list, has no effect beside this rule. */
+    /** Returns true if this rule makes [other], a rule of the same list, superfluous. */
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null ->
                 critical.smoothed == other.critical?.smoothed && other.critical.reflex.let { it == null || it == critical.reflex }
-            // a rule with a rate remembers percepts, so only a rule for exactly the same percepts makes it superfluous
+            // a rule with a rate remembers percepts, so only a rule for exactly equal percepts can replace it
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)
@@ -114,7 +124,7 @@ private class ReviewedRule(
         .map { sentence("has a deadband on argument $it, and there is no such argument") } +
         listOfNotNull(smoothing?.argument).filter(::isMissing).map { sentence("smooths argument $it, and there is no such argument") }
 
-    /** Warns if the conditions of a smoothing rule allow only one value of the argument that it smooths. */
+    /** Warns if the conditions of a smoothing rule allow only one value of the smoothed argument. */
     fun fixedArgument(): String? = smoothing?.argument?.takeIf(allowed::isFixed)
         ?.let { sentence("smooths argument $it, and has a condition that leaves nothing to smooth there") }
 

@@ -1,11 +1,12 @@
 package argo.filters.matching
 
 /**
- * Remembers for which sensors a condition with two limits holds. A picture is the set of percepts that are received together. The condition
- * holds for a percept whose number meets the first limit. If it held for the sensor in the picture before, it also holds for a percept
- * whose number meets the second limit. So neither the order of percepts in a picture nor the number of calls for one percept matters.
+ * Remembers for which sensors a condition with two limits holds. A picture is the set of percepts that are received together. The
+ * condition holds for a percept whose number meets the first limit. If it held for the sensor in the previous picture, it also holds for
+ * a number that meets the second limit. The result does not depend on the order of percepts in a picture, or on the number of calls for
+ * one percept.
  *
- * @param notes true if [holds] notes what holds in this picture, for the next one
+ * @param notes true if [holds] records the result for the next picture
  */
 internal class Latches private constructor(
     private val memory: SensorMemory<Latch>, private var picture: Long, private val notes: Boolean,
@@ -20,7 +21,7 @@ internal class Latches private constructor(
         picture++
     }
 
-    /** Returns latches that answer for the next picture, and note nothing. */
+    /** Returns latches that answer for the next picture and record nothing. */
     fun ofNext() = Latches(memory, picture + 1, false)
 
     /**
@@ -37,7 +38,7 @@ internal class Latches private constructor(
         return holds
     }
 
-    /** The last unbroken series of pictures in which a condition held for a sensor: from [first] to [last]. */
+    /** The last unbroken series of pictures, from [first] to [last], in which a condition held for a sensor. */
     private class Latch {
         private var first = 0L
         private var last = -1L

@@ -5,8 +5,9 @@ import argo.filters.Syntax
 import com.google.re2j.Pattern
 
 /**
- * Explains why an agent leaves out a percept with this text, and how to correct the text; null if the text is a literal without variables
- * whose numbers are finite. Never throws. A percept with a sum, such as `at(2+1)`, counts as unreadable here, but an agent believes it.
+ * Explains why an agent leaves out a percept with this text, and how to correct the text. Returns null if the text is a literal without
+ * variables and with finite numbers. Never throws. A percept with a sum, such as `at(2+1)`, counts as unreadable here, although an agent
+ * believes it.
  */
 fun whyUnreadable(percept: String): String? {
     val text = percept.trim()
@@ -34,7 +35,7 @@ fun whyUnreadable(percept: String): String? {
 
 private fun reserved(word: String) = "$word is a word of AgentSpeak, which cannot be a percept's name"
 
-/** Explains why an agent leaves out a percept with a number that is infinite or NaN. */
+/** Explains that an agent leaves out a percept with a number that is infinite or NaN. */
 const val INFINITE: String = "it holds a number that is infinite or none; the largest that an agent knows is 1.7976931348623157e308"
 
 private fun isFinite(term: GroundTerm): Boolean = when (term) {
@@ -48,7 +49,7 @@ private fun isFinite(term: GroundTerm): Boolean = when (term) {
 fun hasComment(percept: String): Boolean =
     ("//" in percept || "/*" in percept) && withoutQuoted(percept).let { "//" in it || "/*" in it }
 
-/** A pattern for RE2, since Java's own engine overflows the stack on a long text in quotes. */
+/** A pattern for RE2. On a long text in quotes, Java's own engine overflows the stack. */
 private val QUOTED = Pattern.compile("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
 
 private fun withoutQuoted(text: String): String = QUOTED.matcher(text).replaceAll("0")
@@ -63,5 +64,5 @@ private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 
 private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
 
-/** Returns [text] with a name that is no variable; if that is not readable either, returns advice in words. */
+/** Returns [text] changed so that its name is no variable. If the result is unreadable, returns advice in words. */
 private fun readableName(text: String): String = GroundTerm.inLowerCase(text) ?: "a name that begins with one of a to z"

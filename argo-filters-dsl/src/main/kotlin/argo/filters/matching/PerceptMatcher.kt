@@ -8,15 +8,15 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.SmoothingRule
 
 /**
- * Decides about percepts by a filter's rules. Immutable, and safe for use by several threads at once.
+ * Applies a filter's rules to percepts. Immutable, and safe for use by several threads at once.
  *
- * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
- * each percept as the first of its sensor: no rate holds it back, and no smoothing rule replaces it.
+ * A matcher treats each percept as the first of its sensor: no rate holds the percept back, and no smoothing rule replaces it. Rates,
+ * smoothing rules and second limits depend on time and on earlier percepts. Only a [FilterSession] knows these.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
     val filter: PerceptionFilter,
-    before: PerceptMatcher? = null, // critical rules of both filters stay the same objects, so latches still know them
+    before: PerceptMatcher? = null, // critical rules in both filters stay identical objects, so latches recognize them
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
     private val critical: List<CompiledRule> =
@@ -26,23 +26,24 @@ class PerceptMatcher internal constructor(
         if (filter.smoothing.isEmpty()) null else RuleIndex(filter.smoothing.map { CompiledRule(it.rule, smoothing = it) })
     private val drops = filter.mode == Mode.DROP
 
-    /** True if a condition has two limits, so that [Latches] decide. */
+    /** True if a condition has two limits. [Latches] then decide. */
     internal val hasLatches: Boolean = (filter.rules + filter.critical.map { it.rule })
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
-     * True if no smoothing rule has a condition on an argument that is smoothed. The rule for a percept then does not depend on the
-     * percept's number.
+     * True if no smoothing rule has a condition on a smoothed argument. The rule for a percept then does not depend on the percept's
+     * number.
      */
     internal val smoothsByName: Boolean = filter.smoothing.map { it.argument }.toSet().let { smoothed ->
         filter.smoothing.none { smoothing -> smoothing.rule.conditions.any { it is Condition.Argument && it.index in smoothed } }
     }
 
     /**
-     * Returns true if the filter drops the percept whose text, as a board sends it, is in [percept] from [start] to [end]: `dist(f,123)`.
+     * Returns true if the filter drops the percept in [percept] from [start] to [end]. The percept is in the form that boards send:
+     * `dist(f,123)`.
      *
-     * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
-     * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
+     * Keeps text that is no percept, so its reader can report it. Never throws for positions inside the text. Allocates nothing for a
+     * percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
@@ -51,7 +52,7 @@ class PerceptMatcher internal constructor(
                 firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, null) { true } == null)
         }
 
-    /** Returns true if the ordinary rules drop [percept]. The caller decides whether a critical rule keeps it. */
+    /** Returns true if the ordinary rules drop [percept]. A critical rule may still keep it. */
     internal fun drops(percept: String, latches: Latches?): Boolean =
         scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
             isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)
@@ -62,8 +63,8 @@ class PerceptMatcher internal constructor(
     ): Boolean = (firstMet(index, text, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } != null) == drops
 
     /**
-     * Returns the first rule of [index] for which [counts] returns true and that the percept meets; null: there is none. Later rules with
-     * two limits are applied too, so that [latches] note what holds.
+     * Returns the first rule of [index] that the percept meets and for which [counts] returns true, or null. Also applies later rules
+     * with two limits, so [latches] record what holds.
      */
     private inline fun firstMet(
         index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
@@ -77,7 +78,7 @@ class PerceptMatcher internal constructor(
         return first
     }
 
-    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
+    /** Returns the first smoothing rule that the percept in [text] meets, or null. */
     internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
         smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
 
@@ -88,7 +89,7 @@ class PerceptMatcher internal constructor(
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 
-    /** Returns the critical rules that are met: smoothed ones by [standing], which replaces [received], and others by [received]. */
+    /** Returns the matching critical rules. Smoothed rules test [standing], which replaces [received]. Other rules test [received]. */
     internal fun criticalRules(received: PerceptText, standing: PerceptText, latches: Latches?): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
         return received.rulesIn(index).mapNotNull { rule ->
@@ -104,10 +105,10 @@ class PerceptMatcher internal constructor(
     internal fun rulesMetBy(percept: PerceptText, latches: Latches?): List<CompiledRule> =
         percept.rulesIn(index).filter { percept.meets(it, latches) }
 
-    /** Returns the first smoothing rule that [percept] meets; null: it meets none. */
+    /** Returns the first smoothing rule that [percept] meets, or null. */
     internal fun smoothingRule(percept: PerceptText): SmoothingRule? =
         smoothingIndex?.let { index -> percept.rulesIn(index).find { percept.meets(it, null) }?.smoothing }
 }
 
-/** Compiles the filter. Make the matcher once and use it for every percept. */
+/** Compiles the filter. Make one matcher and use it for every percept. */
 fun PerceptionFilter.matcher(): PerceptMatcher = PerceptMatcher(this)

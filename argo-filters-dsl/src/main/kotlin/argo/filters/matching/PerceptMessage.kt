@@ -1,10 +1,10 @@
 package argo.filters.matching
 
 /**
- * Splits one Javino message into its percepts, in their order. A `;` outside of strings, quoted atoms and brackets separates percepts.
- * Percepts are trimmed, and empty percepts are left out.
+ * Splits one Javino message into its percepts, in order. A `;` outside of strings, quoted atoms and brackets separates percepts. Trims
+ * percepts and leaves out empty ones.
  *
- * A percept with unmatched brackets or quotes ends at its next `;` of any kind, so that the percepts behind it are not lost.
+ * A percept with unmatched brackets or quotes ends at its next `;` of any kind. The percepts after it are then not lost.
  */
 fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()
@@ -17,12 +17,12 @@ fun perceptsOf(message: String): List<String> {
     return percepts
 }
 
-/** Splits [percept] at every `;`, even in strings and brackets: the second attempt for a percept that Jason cannot read. */
+/** Splits [percept] at every `;`, even in strings and brackets. This is the second attempt for a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
 internal fun isBalanced(text: String): Boolean = balancedEnd(text, 0) != null
 
-/** Returns the end of the percept that begins at [start]; null if its brackets or quotes do not match. */
+/** Returns the end of the percept that begins at [start], or null if its brackets or quotes do not match. */
 private fun balancedEnd(text: String, start: Int): Int? {
     val open = ArrayDeque<Char>()
     var i = start
@@ -40,7 +40,7 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/** Returns the index of the quote that closes the one at [opening]; null if there is none. Only strings have escapes. */
+/** Returns the index of the quote that closes the quote at [opening], or null. Only strings have escapes. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     val quote = text[opening]
     var i = opening + 1

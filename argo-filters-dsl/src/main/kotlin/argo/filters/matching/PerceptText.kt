@@ -10,7 +10,7 @@ import argo.filters.Syntax
  * The text of a percept, divided into the parts that rules test.
  *
  * @param tail arity and annotations, see [TermBounds.tail]
- * @param head the functor's namespace and negation; null: the functor has neither
+ * @param head the functor's namespace and negation, or null if it has neither
  */
 internal class PerceptText private constructor(
     private val text: String,
@@ -28,20 +28,20 @@ internal class PerceptText private constructor(
 
     fun predicate(): Predicate = head?.predicate() ?: Predicate(text.substring(functor, functorEnd))
 
-    /** Returns the rules of [index] for percepts of this name and arity. Their conditions may be unmet. */
+    /** Returns the rules of [index] for percepts with this name and arity. Does not test their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], a rule for percepts of this name and arity. */
+    /** Returns true if the percept meets the conditions of [rule], a rule for percepts with this name and arity. */
     fun meets(rule: CompiledRule, latches: Latches?): Boolean = rule.areMet(text, functorEnd, end, tail, latches)
 
     /** Returns the first condition of [rule] that the percept does not meet. */
     fun failing(rule: CompiledRule, latches: Latches?): Condition = rule.failing(text, functorEnd, end, tail, latches)
 
-    /** Returns the number at argument [index]; null if the argument is missing or no number. */
+    /** Returns the number at argument [index], or null if there is no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
 
     /**
-     * Returns the text without annotations, and with [number] in place of each numeric argument. For rates, this text is the kind of the
+     * Returns the text without annotations, with [number] in place of each numeric argument. Rates use this text as the kind of the
      * percept.
      */
     fun key(number: String): String = (0 until arity).joinToString(",", "${predicate()}(", ")") {
@@ -60,14 +60,14 @@ internal class PerceptText private constructor(
     override fun toString(): String = text.trim()
 
     companion object {
-        /** Reads the percept in [text]; null if [text] is no percept. */
+        /** Reads the percept in [text]. Returns null if [text] is no percept. */
         fun of(text: String): PerceptText? = scan(text, 0, text.length, null) { functor, functorEnd, tail, head ->
             PerceptText(text, functor, functorEnd, tail, head)
         }
     }
 }
 
-/** Finds the percept in [text] from [start] to [end] and returns the result of [found] for it; [none] if there is no percept. */
+/** Finds the percept in [text] from [start] to [end], and returns the result of [found]. Returns [none] if there is no percept. */
 internal inline fun <T> scan(
     text: CharSequence,
     start: Int,

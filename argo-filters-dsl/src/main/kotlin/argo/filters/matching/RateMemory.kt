@@ -4,22 +4,22 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** A [percept] with its [text], and the [kind] to which it belongs for rates. */
+/** A [percept] with its [text], and its [kind] for rates. */
 internal class RatedPercept<P>(val percept: P, val text: PerceptText, val kind: String)
 
-/** A [percept] that was let through at [atMs]. [numbers] are its numeric arguments by their index. */
+/** A [percept] that was let through at [atMs]. [numbers] are its numeric arguments, by index. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** The time at which the first newer percept was held back; null: no newer percept was held back. */
+    /** The time at which a newer percept was first held back, or null. */
     var heldSinceMs: Long? = null
 }
 
-/** The [rule] holds a percept back until [dueMs]; until then, the agent perceives [last]. */
+/** The [rule] holds a percept back until [dueMs]. Until then, the agent perceives [last]. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * The memory of a filter's rates: the last percept that was let through, for each rule and each kind of percept. Percepts that differ only
- * in numbers are of one kind. But if several of them are received together, the first is of one kind, the second of another, and so on.
- * Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
+ * The memory of a filter's rates: the last percept that was let through, for each rule and each kind of percept. Percepts that differ
+ * only in numbers are of one kind. If several of them are received together, each gets a kind of its own by its position among them. A
+ * percept is let through if a [SensorMemory] has forgotten its kind or has no room for it.
  */
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
@@ -27,10 +27,10 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = SensorMemory<LetThrough<P>>()
-    private val counts = HashMap<String, Int>() // how many percepts of the group have this text, except for numbers
+    private val counts = HashMap<String, Int>() // number of percepts in the group for each text without numbers
     private val kinds = HashMap<P, String>() // the kinds of the group's percepts
 
-    /** Begins a new group of percepts that are received together. */
+    /** Starts a new group of percepts that are received together. */
     fun begin() {
         counts.clear()
         kinds.clear()
@@ -45,12 +45,15 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         return RatedPercept(percept, text, kind)
     }
 
-    /** Returns [percept], whose text is [text], with its kind in the group; if it is not in the group, with the kind of a first one. */
+    /**
+     * Returns [percept], whose text is [text], with its kind in the group. Outside of the group, a percept gets the kind of a first
+     * percept.
+     */
     fun known(percept: P, text: PerceptText) = RatedPercept(percept, text, kinds[percept] ?: text.key(ANY_NUMBER))
 
     /**
-     * Returns the holds on [percept] by the rules [met], which it meets at [nowMs], the decisive hold first; empty if the percept is let
-     * through or dropped for good.
+     * Returns the holds on [percept] at [nowMs] by the rules [met], which it meets. The decisive hold comes first. Empty if the percept
+     * is let through or dropped for good.
      */
     fun holds(met: List<CompiledRule>, percept: RatedPercept<P>, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()

@@ -6,19 +6,19 @@ import argo.filters.SmoothingRule
 import kotlin.math.abs
 
 /**
- * The last percepts of one sensor, from which a smoothing [rule] selects one.
+ * The last percepts of one sensor. A smoothing [rule] selects one of them.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */
 internal class Readings<P : Any>(private val rule: SmoothingRule, private val annotated: (P) -> P) {
     private var judged = rule.outliers?.let { SortedWindow(it.among) }
     private var credible = rule.median?.let(::SortedWindow)
-    private val percepts = ArrayList<P>(rule.median ?: 1) // the percepts of the numbers in credible, at the same indices
+    private val percepts = ArrayList<P>(rule.median ?: 1) // the percepts for the numbers in credible, at equal indices
     private val last = Reading(Double.NaN, 0)
     private val doubted = Reading(Double.NaN, 0)
     private var doubts = 0
 
-    /** The reason why the newest percept is not credible, so that an older one replaces it; null: the newest is credible. */
+    /** The reason why the newest percept is not credible, or null if it is credible. */
     var doubt: Doubt? = null
         private set
 
@@ -30,13 +30,16 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
             this.ms = ms
         }
 
-        /** Returns true if a sensor whose number changes by at most [rate] a second can show [number] at [nowMs], after this reading. */
+        /**
+         * Returns true if [number] is possible at [nowMs] after this reading, for a sensor whose number changes by at most [rate] a
+         * second.
+         */
         fun canBecome(number: Double, nowMs: Long, rate: Double) = abs(number - this.number) * MS_PER_SECOND <= rate * (nowMs - ms)
     }
 
     /**
-     * Adds the newest [percept] at [nowMs], and returns the percept that replaces it. Its [number], which is finite, is in [text] from
-     * [from] to [to].
+     * Adds the newest [percept] at [nowMs], and returns the percept that replaces it. Its finite [number] is in [text] from [from] to
+     * [to].
      */
     fun take(percept: P, text: String, from: Int, to: Int, number: Double, nowMs: Long): P {
         doubt = when {
@@ -56,14 +59,14 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
         return doubts < CONFIRMING
     }
 
-    /** Adds [number] to [judged], and returns true if it is too many deviations from their middle. */
+    /** Adds [number] to [judged]. Returns true if [number] is too many deviations from their median. */
     private fun isFarOff(number: Double): Boolean {
         val window = judged ?: return false
         window.add(number)
         return window.count > 2 && exceeds(number, OF_NORMAL_NOISE * window.medianDistance())
     }
 
-    /** Returns true if [number] is further from the middle of [judged] than the rule allows, for this size of a [deviation]. */
+    /** Returns true if [number] is further from the median of [judged] than the rule allows, for this [deviation]. */
     private fun exceeds(number: Double, deviation: Double): Boolean {
         val outliers = rule.outliers ?: return false
         return judged?.let { abs(number - it.middle()) > outliers.deviations * deviation } == true
@@ -76,7 +79,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
         if (place < percepts.size) percepts[place] = percept else percepts += percept
     }
 
-    /** Returns the reason why another percept replaces the newest one, which has this [number]. */
+    /** Returns why another percept replaces the newest one, which has this [number]. */
     fun reason(number: Double): String = when (doubt) {
         null -> "the median of the last ${credible?.count} is ${credible?.let { shown(it[it.median()]) }}"
         Doubt.TOO_FAST -> "${shown(last.number)} cannot have become ${shown(number)} so fast"
@@ -86,7 +89,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
 
     private fun shown(number: Double) = GroundTerm.Number(number)
 
-    /** Returns readings in the same state. */
+    /** Returns a copy of these readings. */
     fun copy() = Readings(rule, annotated).also {
         it.judged = judged?.copy()
         it.credible = credible?.copy()
@@ -99,7 +102,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
     private companion object {
         const val MS_PER_SECOND = 1_000
 
-        /** So many percepts in a row confirm each other if each can follow the one before. */
+        /** The number of percepts in a row that confirm each other, if each can follow the previous one. */
         const val CONFIRMING = 3
 
         /** The standard deviation of normal noise, in median absolute deviations. */

@@ -2,7 +2,7 @@ package argo.filters.matching
 
 import argo.filters.Syntax
 
-/** Finds rules by the functor in a percept's text, without allocation: a hash table with open addressing. */
+/** Finds rules by the functor in a percept's text, without allocation. Uses a hash table with open addressing. */
 internal class RuleIndex(rules: List<CompiledRule>) {
     private val functors: Array<String?>
     private val rulesOf: Array<Array<CompiledRule>>
@@ -36,7 +36,7 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         }
     }
 
-    /** Multiplies by the golden ratio and uses the high bits, so that numbered names (`s1`, `s2`) spread over the whole table. */
+    /** Multiplies by the golden ratio and uses the high bits. Numbered names (`s1`, `s2`) then spread over the whole table. */
     private fun slot(hash: Int) = (hash * GOLDEN_RATIO) ushr shift
 
     private companion object {

@@ -1,10 +1,11 @@
 package argo.filters.matching
 
 /**
- * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition; each tells sensors apart in its own way.
+ * A filter's memory. It has a value for each sensor of each owner. An owner is a rule or a condition. Each owner has its own names for
+ * sensors.
  *
- * If a board has more sensors than [CAPACITY], the memory forgets the sensors that were looked up longest ago. It has no room for percepts
- * longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
+ * If a board has more than [CAPACITY] sensors, the memory forgets the sensors whose last look-up is longest ago. It has no room for
+ * percepts longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not thread-safe.
  */
 internal class SensorMemory<V : Any> {
     private val probe = SensorKey()
@@ -14,23 +15,23 @@ internal class SensorMemory<V : Any> {
 
     val isEmpty: Boolean get() = values.isEmpty()
 
-    /** Returns the value of the sensor that [owner] calls [name]; null: there is none. */
+    /** Returns the value of the sensor that [owner] calls [name], or null. */
     operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]
 
-    /** Returns the value of [owner] for the sensor whose name is the [text] around the part from [from] to [to]; null: there is none. */
+    /** Returns the value of [owner] for a sensor, or null. The sensor's name is the [text] without the part from [from] to [to]. */
     fun get(owner: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): V? =
         values[probe.of(owner, text, from, to, start, end)]
 
     operator fun get(key: SensorKey): V? = values[key]
 
-    /** Returns the key of the sensor that was looked up last. */
+    /** Returns the key of the last sensor that was looked up. */
     fun newKey(): SensorKey = probe.copy()
 
     operator fun set(key: SensorKey, value: V) {
         values[key] = value
     }
 
-    /** Remembers [value] for the sensor that was looked up last. */
+    /** Stores [value] for the last sensor that was looked up. */
     fun put(value: V) = set(newKey(), value)
 
     companion object {
@@ -43,13 +44,13 @@ internal class SensorMemory<V : Any> {
     }
 }
 
-/** The name of a sensor for its owner: the text of the sensor's percepts without the part that changes. */
+/** An owner's name for a sensor: the text of the sensor's percepts without the changing part. */
 internal class SensorKey(
     private var owner: Any? = null, private var name: CharArray = CharArray(INITIAL_LENGTH), private var length: Int = 0,
 ) {
     private var hash = 0
 
-    /** Changes this name to the [text] from [start] to [end], without the part from [from] to [to]. */
+    /** Sets this name to the [text] from [start] to [end], without the part from [from] to [to]. */
     fun of(owner: Any, text: CharSequence, from: Int, to: Int, start: Int = 0, end: Int = text.length): SensorKey {
         val room = from - start + end - to
         if (name.size < room) name = CharArray(2 * room)

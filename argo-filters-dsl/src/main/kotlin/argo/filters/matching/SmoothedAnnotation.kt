@@ -14,7 +14,7 @@ internal fun withSmoothed(percept: String): String {
     }
 }
 
-/** Returns the text [percept] without the annotation `smoothed` that a smoothing rule has added at its end. */
+/** Returns the text [percept] without a final annotation `smoothed`, which a smoothing rule has added. */
 fun withoutSmoothed(percept: String): String {
     val others = percept.removeSuffix("]")
     if (others.length == percept.length || !hasSmoothed(others)) return percept

@@ -5,15 +5,15 @@ import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
 
 /**
- * Applies the smoothing rules of [matcher], and remembers the [Readings] of each sensor. Allocates nothing for a known sensor, unless a
- * rule annotates. Not safe for use by several threads at once.
+ * Applies the smoothing rules of [matcher], and remembers the [Readings] of each sensor. For a known sensor, only rules that annotate
+ * allocate. Not thread-safe.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** [rule] would replace a percept by the percept [standing], for this [reason]. */
+    /** The effect of smoothing: [rule] would replace a percept by [standing], for this [reason]. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Sensor<P>>()
@@ -21,11 +21,11 @@ internal class Smoother<P : Any>(
 
     private var picture = Picture<P>()
     private var spare = Picture<P>()
-    private var isDoubted = false // true if the percept that was added last is not credible
+    private var isDoubted = false // whether the last added percept is not credible
 
     /**
-     * Adds the percepts [received] at [nowMs] to the readings, and returns them with the percepts that replace them. Percepts among [old]
-     * that were in the last picture are not added again. The next call but one fills the same picture again.
+     * Adds the percepts [received] at [nowMs] to the readings. Returns them with their replacements. Does not add a percept of [old]
+     * again if it was in the last picture. The result is valid until the next call but one.
      */
     fun picture(received: List<P>, nowMs: Long, old: Set<P>): Picture<P> {
         val before = picture
@@ -40,7 +40,7 @@ internal class Smoother<P : Any>(
         return picture
     }
 
-    /** Adds a [percept] that has come at [nowMs], at index [place] of a picture; returns the percept that replaces it, or itself. */
+    /** Adds a [percept] at [nowMs], which is at index [place] of a picture. Returns its replacement, or the percept itself. */
     fun stands(percept: P, nowMs: Long, place: Int): P {
         val text = textOf(percept)
         isDoubted = false
@@ -52,7 +52,8 @@ internal class Smoother<P : Any>(
     }
 
     /**
-     * Adds the [percept] if its text shows that it comes from this sensor, without a search for rule and sensor; otherwise returns null.
+     * Adds the [percept] if its text shows that it comes from this sensor. Else returns null. Does not search for the rule and the
+     * sensor.
      */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
@@ -68,7 +69,7 @@ internal class Smoother<P : Any>(
         places[place] = sensor
     }
 
-    /** Returns the percept that would replace [percept] if it came at [nowMs]; null: no rule smooths it. */
+    /** Returns the replacement of [percept] if it came at [nowMs]. Returns null if no rule smooths it. */
     fun replacement(percept: P, nowMs: Long): Replacement<P>? {
         val text = textOf(percept)
         return read(text, null) { rule, known, from, to, number ->
@@ -80,7 +81,10 @@ internal class Smoother<P : Any>(
     private fun newSensor(rule: CompiledRule, text: String, from: Int, to: Int, key: SensorKey) =
         Sensor(Readings(checkNotNull(rule.smoothing), annotated), text.substring(0, from), text.substring(to), key)
 
-    /** Calls [found] with the rule that smooths the percept in [text], its sensor and its number. Returns [none] if no rule smooths it. */
+    /**
+     * Calls [found] with the rule that smooths the percept in [text], the sensor and the number. Returns [none] if no rule smooths the
+     * percept.
+     */
     private inline fun <T> read(
         text: String, none: T, found: (rule: CompiledRule, known: Sensor<P>?, from: Int, to: Int, number: Double) -> T,
     ): T {
@@ -104,11 +108,11 @@ internal class Smoother<P : Any>(
     }
 }
 
-/** A sensor whose percepts are smoothed: its [readings], and the text of its percepts [before] and [behind] the number. */
+/** A smoothed sensor: its [readings], and the text of its percepts [before] and [behind] the number. */
 private class Sensor<P : Any>(val readings: Readings<P>, private val before: String, private val behind: String, val key: SensorKey) {
     /** The index at which the number begins. */
     val from: Int get() = before.length
 
-    /** Returns the index at which the number in [text] would end; 0 if the rest of [text] belongs to another sensor. */
+    /** Returns the index at which the number in [text] would end. Returns 0 if [text] belongs to another sensor. */
     fun numberEnd(text: String): Int = if (text.startsWith(before) && text.endsWith(behind)) text.length - behind.length else 0
 }

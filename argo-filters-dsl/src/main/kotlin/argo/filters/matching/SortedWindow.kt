@@ -1,18 +1,18 @@
 package argo.filters.matching
 
-/** The last [size] numbers of a series, sorted by value. Adding a number takes time linear in [size] and allocates nothing. */
+/** The last [size] numbers of a series, sorted by value. [add] takes time linear in [size] and allocates nothing. */
 internal class SortedWindow(private val size: Int) {
     private val numbers = DoubleArray(size)
 
-    /** The indices of [numbers], sorted by the numbers there. */
+    /** The indices of [numbers], sorted by number. */
     private val order = IntArray(size)
     private var next = 0
 
-    /** How many numbers the window has. */
+    /** The number of numbers in the window. */
     var count = 0
         private set
 
-    /** Adds [number]. If the window is full, [number] replaces the oldest one. Returns the index of [number] in [numbers]. */
+    /** Adds [number]. In a full window, [number] replaces the oldest. Returns the index of [number] in [numbers]. */
     fun add(number: Double): Int {
         val place = next
         next = if (place + 1 == size) 0 else place + 1
@@ -28,7 +28,7 @@ internal class SortedWindow(private val size: Int) {
         return i
     }
 
-    /** Moves the gap in [order] from [gap] to where [number] belongs, behind equal numbers, and fills it with [place]. */
+    /** Moves the gap in [order] from [gap] to the place of [number], after equal numbers, and puts [place] there. */
     private fun insert(place: Int, number: Double, gap: Int) {
         var i = gap
         while (i > 0 && numbers[order[i - 1]] > number) {
@@ -42,7 +42,7 @@ internal class SortedWindow(private val size: Int) {
         order[i] = place
     }
 
-    /** Returns the index of the middle number; of two middle ones, that of the newer. */
+    /** Returns the index of the median. If there are two middle numbers, returns the index of the newer. */
     fun median(): Int {
         val upper = order[count / 2]
         if (count % 2 == 1) return upper
@@ -55,10 +55,10 @@ internal class SortedWindow(private val size: Int) {
     /** Returns the number at index [place]. */
     operator fun get(place: Int): Double = numbers[place]
 
-    /** Returns the middle number; of two middle ones, the greater. */
+    /** Returns the median. If there are two middle numbers, returns the greater. */
     fun middle(): Double = numbers[order[count / 2]]
 
-    /** Returns the median of the distances to [middle]; of two middle ones, the greater. Searches outwards from [middle]. */
+    /** Returns the median of the distances to [middle]. If there are two middle distances, returns the greater. */
     fun medianDistance(): Double {
         var low = count / 2
         var high = low

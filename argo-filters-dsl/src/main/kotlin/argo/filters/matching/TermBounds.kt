@@ -3,7 +3,7 @@ package argo.filters.matching
 import argo.filters.Syntax
 
 /**
- * Finds where terms begin and end in a percept's text, with regard to quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is
+ * Finds where terms begin and end in a percept's text. Understands quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is
  * no percept. The functions build no terms, allocate nothing and never throw.
  */
 internal object TermBounds {
@@ -13,7 +13,7 @@ internal object TermBounds {
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
-    /** Returns the end of the functor at [start] if it is an unreserved word, with arguments or nothing behind it; [NONE] otherwise. */
+    /** Returns the end of the functor at [start] if it is an unreserved word, followed by arguments or nothing. Else returns [NONE]. */
     fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end || text[start] !in 'a'..'z') return NONE
         val wordEnd = Syntax.wordEnd(text, start, end)
@@ -21,7 +21,7 @@ internal object TermBounds {
         return if (isPlain) wordEnd else NONE
     }
 
-    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Nothing may follow a truth value. */
+    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. A truth value must have an empty tail. */
     fun tailOf(text: CharSequence, start: Int, functorEnd: Int, end: Int): Long {
         if (functorEnd < 0) return NO_TAIL
         val tail = tail(text, functorEnd, end)
@@ -29,7 +29,7 @@ internal object TermBounds {
     }
 
     /**
-     * Returns the arity and the start of the annotations behind a functor that ends at [functorEnd]. [arity] and [annotations] unpack the
+     * Returns the arity and the start of the annotations after a functor that ends at [functorEnd]. [arity] and [annotations] unpack the
      * result. Returns [NO_TAIL] if the text up to [end] is no percept.
      */
     fun tail(text: CharSequence, functorEnd: Int, end: Int): Long {
@@ -50,17 +50,17 @@ internal object TermBounds {
 
     fun arity(tail: Long): Int = (tail shr Int.SIZE_BITS).toInt()
 
-    /** Returns the index of the bracket that opens the annotations; the end of the text if there are none. */
+    /** Returns the index of the bracket that opens the annotations, or the end of the text. */
     fun annotations(tail: Long): Int = tail.toInt()
 
-    /** Returns the start of the argument at [index] behind a functor that ends at [functorEnd], without blanks. The argument must exist. */
+    /** Returns the start of the argument at [index], without blanks. The functor ends at [functorEnd]. The argument must exist. */
     fun argument(text: CharSequence, functorEnd: Int, end: Int, index: Int): Int {
         var start = Syntax.skipBlanks(text, Syntax.skipBlanks(text, functorEnd, end) + 1, end)
         repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
         return start
     }
 
-    /** Returns the index of the comma or [close] that ends the part at [start]; [NONE] if there is none or the part is empty. */
+    /** Returns the index of the comma or [close] that ends the part at [start]. Returns [NONE] if there is none or if the part is empty. */
     fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {
         var i = start
         while (i in 0 until end) {
@@ -81,7 +81,7 @@ internal object TermBounds {
         return Syntax.skipBlanks(text, i + 1, end)
     }
 
-    /** Returns the position behind the character, string, comment or bracketed group at [i], or [NONE]. */
+    /** Returns the position after the character, string, comment or bracketed group at [i], or [NONE]. */
     private fun next(text: CharSequence, i: Int, end: Int, depth: Int): Int = when (text[i]) {
         '(' -> groupEnd(text, i + 1, end, ')', depth + 1)
         '[' -> groupEnd(text, i + 1, end, ']', depth + 1)

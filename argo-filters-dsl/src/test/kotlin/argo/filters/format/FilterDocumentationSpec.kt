@@ -15,7 +15,7 @@ import io.kotest.matchers.string.shouldContain
 import org.jetbrains.kotlin.cli.common.ExitCode
 import java.io.File
 
-/** Every example on the page on filters works. */
+/** Checks that every example on the page about filters works. */
 class FilterDocumentationSpec : StringSpec({
     val page = generateSequence(File("").absoluteFile) { it.parentFile }
         .map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
@@ -38,7 +38,7 @@ class FilterDocumentationSpec : StringSpec({
     }
 
     "its Kotlin compiles".config(tags = thorough) {
-        // one file of all blocks, with the imports that they show in front
+        // one file with all blocks, and their imports at the top
         val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
         val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
         withClue(compilation) { compilation.exit shouldBe ExitCode.OK }

@@ -30,10 +30,10 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 
-/** Brings a filter into one form and back. */
+/** Writes a filter in one form and reads it back. */
 private typealias Form = (PerceptionFilter) -> PerceptionFilter
 
-/** The behaviour that every form of filters shares; [form] writes a filter in one form and reads it back. */
+/** Tests that every form of filters must pass. [form] writes a filter in one form and reads it back. */
 private fun parity(form: Form) = stringSpec {
     "a filter comes back equal" { checkAll(1_000, filters) { form(it) shouldBe it } }
 
@@ -59,7 +59,7 @@ private fun parity(form: Form) = stringSpec {
     }
 }
 
-/** A filter rewritten in Kotlin's words, as a person would write it. */
+/** A filter rewritten with the Kotlin functions, in a person's style. */
 private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
     fun AnyTerm<*>.say(test: TermTest) = when (test) {
         is TermTest.Compare -> compare(test)

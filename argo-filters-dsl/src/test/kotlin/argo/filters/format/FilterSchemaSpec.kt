@@ -12,7 +12,7 @@ import javax.xml.transform.stream.StreamSource
 import javax.xml.validation.SchemaFactory
 import kotlin.io.path.readText
 
-/** The schema of filters in XML, by which editors complete and check them. */
+/** Tests the XML schema with which editors complete and check filters. */
 class FilterSchemaSpec : StringSpec({
     val schema = SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI)
         .newSchema(XmlFilters::class.java.getResource("filter.xsd"))

@@ -92,7 +92,7 @@ private val infinite = PerceptionFilter(
 
 private fun <T> Arb<T>.sampleAt(seed: Int): T = sample(RandomSource.seeded(seed.toLong())).value
 
-/** Returns [filters] as the compiler reads them, each written in a file and package of its own. */
+/** Writes [filters] as Kotlin, compiles them and returns the results. Each filter has its own file and package. */
 private fun compiled(directory: File, filters: List<PerceptionFilter>): List<PerceptionFilter> {
     val sources = filters.mapIndexed { number, filter ->
         directory.resolve("Filter$number.kt").apply { writeText("package filter$number\n\n" + KotlinFilters.write(filter)) }

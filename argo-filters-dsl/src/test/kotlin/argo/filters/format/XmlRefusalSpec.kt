@@ -10,13 +10,13 @@ import io.kotest.matchers.string.shouldContain
 
 private fun problems(document: String) = shouldThrow<FilterException> { XmlFilters.read(document, "f.xml") }.problems
 
-/** A refusal: the [text] of a rule, in which `¦` marks the beginning of the faulty part, and words of the message. */
+/** A refused rule: its [text], in which `¦` marks the beginning of the fault, and words of the message. */
 private data class Refusal(val text: String, val words: String)
 
-/** A refusal of the [elements] that follow the predicate in a rule. */
+/** A refusal of [elements] after the predicate in a rule. */
 private fun inRule(elements: String, words: String) = Refusal("<filter><predicate>d</predicate>$elements</filter>", words)
 
-/** A refusal of the [elements] that follow the predicate in a smoothing rule. */
+/** A refusal of [elements] after the predicate in a smoothing rule. */
 private fun inSmoothing(elements: String, words: String) = Refusal("<smooth><predicate>d</predicate>$elements</smooth>", words)
 
 class XmlRefusalSpec : FreeSpec({

@@ -23,7 +23,7 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 
-/** Describes a term by its class, text, hash code and place in the source, and its parts likewise. */
+/** Describes a term by its class, text, hash code and source position, and describes its parts likewise. */
 private fun anatomy(term: Term): String = buildString {
     append(term.javaClass.name).append('«').append(term).append('»').append(term.hashCode())
     append('@').append(term.srcInfo?.let { "${it.srcFile}:${it.beginSrcLine}-${it.endSrcLine}" })
@@ -44,7 +44,7 @@ private fun shouldReadAsJason(text: String) = withClue(text) {
     val expected = ASSyntax.parseLiteral(text)
     val found = PerceptReader.read(text)
     anatomy(found) shouldBe anatomy(expected)
-    // two readings of one text are not always equal to Jason: [-1] is an expression, and annotations are compared as if they were ordered
+    // in Jason, two readings of one text may differ: [-1] is an expression, and the order of annotations counts
     val again = ASSyntax.parseLiteral(text)
     (found == expected) shouldBe (again == expected)
     (expected == found) shouldBe (expected == again)

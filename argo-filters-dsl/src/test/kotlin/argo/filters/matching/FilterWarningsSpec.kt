@@ -23,7 +23,7 @@ private fun drop(rules: DropRules.() -> Unit) = dropFilter("f", rules = rules)
 
 private fun keep(rules: KeepRules.() -> Unit) = keepFilter("f", rules = rules)
 
-/** Filters with a part that has no effect, and the warnings on each. */
+/** Filters with a part that has no effect, and their warnings. */
 private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
     drop {} to listOf("the filter has no rules, so it keeps every percept"),
     keep {} to listOf("the filter has no rules, so it drops every percept"),
@@ -99,13 +99,13 @@ private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
     ),
 )
 
-/** Filters of which each part has an effect, though it may seem otherwise. */
+/** Filters whose parts all have an effect, although it may not seem so. */
 private val WITH_EFFECT = listOf(
     drop { drop("d"); drop("~d"); drop("house::d") },
     drop { drop("d") { argument(0) eq "a" }; drop("d") { argument(0) eq "b" } },
     drop { drop("d") { argument(0) eq "front" }; drop("d") { argument(0) eq "\"front\"" } },
     drop { drop("d") { argument(0) gt 3; argument(0) ne 5; argument(0) matches "4.*" } },
-    drop { drop("d") { annotation("q") gt 5; annotation("q") lt 3 } }, // two annotations of the name
+    drop { drop("d") { annotation("q") gt 5; annotation("q") lt 3 } }, // two annotations may have this name
     drop { drop("d") { everyMs(9) }; drop("d") { argument(0) eq "a" } },
     drop { drop("d") { everyMs(9) }; drop("d") { argument(0) eq "a"; everyMs(99) } },
     drop { drop("d") { arity(1) }; drop("d") { argument(0) eq "a" } },
@@ -124,7 +124,7 @@ private val WITH_EFFECT = listOf(
 
 private val USELESS_RULE = Regex("^rule (\\d+) .*(matches no percept|has no effect)", RegexOption.DOT_MATCHES_ALL)
 
-/** Each filter as it is, and as it comes back from the other forms. */
+/** The filter, and its copies from the other forms. */
 private fun forms(filter: PerceptionFilter) = listOf(
     filter, XmlFilters.read(XmlFilters.write(filter), "f.xml"), JsonFilters.read(JsonFilters.write(filter), "f.json"),
 )
@@ -147,7 +147,7 @@ class FilterWarningsSpec : FunSpec({
         checkAll(3_000, filters, Arb.list(perceptTexts, 0..12)) { filter, percepts ->
             val warnings = filter.warnings()
             val useless = warnings.mapNotNull { USELESS_RULE.find(it)?.groupValues?.get(1)?.toInt() }
-            // one at a time, since each of two equal rules is useless only beside the other
+            // one at a time: of two equal rules, only one is useless
             useless.forEach { number ->
                 val rest = filter.rules.filterIndexed { at, _ -> at != number - 1 }
                 val without = PerceptionFilter("f", rest, filter.mode, filter.onSwitch, filter.critical).matcher()

@@ -6,7 +6,7 @@ import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
 
-/** The example of the paper that the filters come from: its Figures 1 (the percepts) and 2 (the filter). */
+/** Tests the example of the ARGO paper: Figure 1 has the percepts, and Figure 2 the filter. */
 class PaperExampleSpec : StringSpec({
     val filter = XmlFilters.read(
         """

@@ -15,7 +15,7 @@ import io.kotest.core.spec.style.FreeSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
 
-/** The percepts that a rule with [conditions] on `d` drops and keeps, as text and as literals. */
+/** The percepts that a rule with [conditions] on `d` drops and keeps. */
 private data class Case(val conditions: String, val drops: List<String>, val keeps: List<String>)
 
 private fun parameter(operator: String, value: String, id: Int = 0) =
@@ -46,7 +46,7 @@ class PerceptMatcherSpec : FreeSpec({
             decides(rule("d", conditions), percept, false)
             decides(keeping, percept, true)
         }
-        // rules without a condition on that argument treat it as any other percept
+        // rules without a condition on the variable treat the percept as usual
         decides(rule("d"), "d(front,X)", true)
         decides(rule("d", "<parameter id='0'>front</parameter>"), "d(front,X)", true)
         decides(rule("d", "<parameter id='0'>front</parameter>"), "d(Side,1)", false)

@@ -2,7 +2,7 @@ package argo.filters.matching
 
 import argo.filters.PerceptionFilter
 
-/** A session that remembers its last perception, so that a test reads as the session was used. */
+/** A session that keeps its last perception for the test. */
 class Played<P : Any>(private val session: FilterSession<P>) {
     private lateinit var last: FilteredPercepts<P>
 

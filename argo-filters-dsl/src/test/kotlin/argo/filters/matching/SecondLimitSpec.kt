@@ -31,7 +31,7 @@ private val near = keepFilter("near") { keep("dist") { argument(1) lt 40 until 4
 
 private fun session(filter: PerceptionFilter) = Played(FilterSession.ofTexts()).also { it.switchTo(filter) }
 
-/** Returns for each of [numbers] of one sensor whether [filter] lets its percept through. */
+/** Returns, for each of a sensor's [numbers], whether [filter] lets its percept through. */
 private fun kept(filter: PerceptionFilter, numbers: List<Number>): List<Boolean> = session(filter).let { session ->
     numbers.mapIndexed { at, number -> session.perceive(listOf("dist(f,$number)"), at * 50L).isNotEmpty() }
 }

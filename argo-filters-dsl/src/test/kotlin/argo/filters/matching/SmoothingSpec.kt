@@ -40,7 +40,7 @@ private object Reading : PerceptType("dist") {
 
 private fun session(filter: PerceptionFilter): Played<String> = Played(FilterSession.ofTexts()).also { it.switchTo(filter) }
 
-/** Returns the numbers that stand for [numbers] of one sensor, which come every [pauseMs] milliseconds. */
+/** Returns the smoothed numbers for a sensor's [numbers], which come every [pauseMs] milliseconds. */
 private fun smoothed(filter: PerceptionFilter, numbers: List<Number>, pauseMs: Long = 50): List<Double> {
     val session = session(filter)
     return numbers.mapIndexed { at, number ->
@@ -303,11 +303,11 @@ class SmoothingSpec : FreeSpec({
         fun run() {
             messages.forEach { smoother.picture(it, 0, emptySet()) }
         }
-        repeat(200) { run() } // until it is compiled
+        repeat(200) { run() } // until the code is compiled
         val threads = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean
         val before = threads.currentThreadAllocatedBytes
         repeat(100) { run() }
-        threads.currentThreadAllocatedBytes - before shouldBeLessThan 10_000 // one byte a percept would be this much
+        threads.currentThreadAllocatedBytes - before shouldBeLessThan 10_000 // one byte a percept would exceed this
     }
 
     "refused is" - {
