@@ -12,7 +12,7 @@ val argoJar by tasks.registering(JavaExec::class) {
     argumentProviders.add(CommandLineArgumentProvider { listOf(jar.get().asFile.path, version, packed.asPath) })
 }
 
-/** All that fleets need: the content of `argo-fleet.jar`, and what is in `argo.jar`. */
+/** The class path of fleets: the content of `argo-fleet.jar` and of `argo.jar`. */
 val fleets = configurations.create("fleets") {
     isCanBeConsumed = false
     attributes { attribute(Usage.USAGE_ATTRIBUTE, objects.named(Usage.JAVA_RUNTIME)) }

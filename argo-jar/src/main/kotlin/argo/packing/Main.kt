@@ -5,8 +5,8 @@ import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /**
- * Packages that keep their names: ARGO's own, Kotlin's standard library, jSerialComm (its native libraries name its classes) and JGroups
- * (its tables name its classes).
+ * Packages that keep their names. These are ARGO's own packages, Kotlin's standard library, jSerialComm and JGroups. The native libraries
+ * of jSerialComm contain its class names. The tables of JGroups contain its class names.
  */
 internal val OWN_NAMES =
     listOf(
@@ -15,8 +15,9 @@ internal val OWN_NAMES =
     )
 
 /**
- * Packs a jar. The Maven and the Gradle build both run this, so that their jars have the same content. The arguments are JAR VERSION
- * CLASSPATH for `argo.jar`, and JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`.
+ * Packs a jar. The Maven build and the Gradle build both run this program, so their jars have the same content.
+ *
+ * The arguments for `argo.jar` are JAR VERSION CLASSPATH. The arguments for `argo-fleet.jar` are JAR VERSION CLASSPATH BESIDE.
  */
 fun main(arguments: Array<String>) {
     if (arguments.size !in 3..4) {
@@ -36,7 +37,7 @@ private val TOOLS = mapOf("Main-Class" to "argo.tools.MainKt")
 private val FLEETS = mapOf("Main-Class" to "argo.fleet.MainKt", "Class-Path" to "argo.jar")
 
 private fun manifest(version: String) = mapOf(
-    "Enable-Native-Access" to "ALL-UNNAMED", // since jSerialComm loads a native library
+    "Enable-Native-Access" to "ALL-UNNAMED", // jSerialComm loads a native library
     "Implementation-Title" to "ARGO",
     "Implementation-Version" to version,
 )

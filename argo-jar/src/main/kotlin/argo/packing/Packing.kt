@@ -11,13 +11,16 @@ import kotlin.io.path.outputStream
 
 private const val SERVICES = "META-INF/services/"
 
-/** Files that are valid only in their own jar and are left out: signatures, module descriptors, classes for newer Java, build records. */
+/**
+ * Files to leave out, because they are valid only in their own jar: signatures, module descriptors, classes for newer Java, build
+ * records.
+ */
 private val LEFT_OUT = Regex("""META-INF/(MANIFEST\.MF|INDEX\.LIST|[^/]+\.(SF|RSA|DSA|EC)|(versions|maven)/.*)|module-info\.class""")
 private val LICENCES = Regex("""META-INF/.*(LICEN[CS]E|NOTICE|COPYING)[^/]*""", RegexOption.IGNORE_CASE)
 
 /**
- * Returns the entries of one jar with the content of all [sources]. Service files with the same name are merged. Of other files with the
- * same name, the first one is used.
+ * Returns the entries of one jar with the content of all [sources]. Merges service files with the same name. Keeps only the first of
+ * other files with the same name.
  */
 fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> {
     val packed = sortedMapOf<String, ByteArray>()
@@ -41,7 +44,7 @@ fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> 
     return packed + providers.mapValues { (_, names) -> names.joinToString("") { "$it\n" }.toByteArray() }
 }
 
-/** Writes [entries] and a manifest with [attributes] into [jar]. Equal input always gives the same bytes. */
+/** Writes [entries] and a manifest with [attributes] into [jar]. Equal arguments always give the same bytes. */
 fun writeJar(jar: Path, attributes: Map<String, String>, entries: Map<String, ByteArray>) {
     val manifest = Manifest().apply {
         mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
@@ -59,7 +62,7 @@ fun writeJar(jar: Path, attributes: Map<String, String>, entries: Map<String, By
     }
 }
 
-/** The time stamp of all entries, as in the jars of the modules. */
+/** The time stamp of all entries. The jars of the modules have the same time stamp. */
 private val WRITTEN = LocalDateTime.of(2026, 1, 1, 0, 0)
 
 private fun Relocation.ofBinary(name: String): String = of(name.replace('.', '/')).replace('/', '.')

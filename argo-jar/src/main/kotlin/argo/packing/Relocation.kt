@@ -7,8 +7,8 @@ import org.objectweb.asm.commons.ClassRemapper
 import org.objectweb.asm.commons.Remapper
 
 /**
- * Renames the classes of libraries, so that a project can have another version of the same library. Names in strings, which reflection
- * uses, stay as they are.
+ * Renames the classes of libraries. A project can then use another version of such a library. Class names in strings, for reflection,
+ * stay as they are.
  * @param own the prefixes of names that stay as they are
  * @param into the prefix that is added to all other names
  */
@@ -18,10 +18,10 @@ class Relocation(sources: List<Source>, own: List<String>, private val into: Str
     /** Returns the new name of the class [name]. Both are internal names, such as `java/lang/String`. */
     fun of(name: String): String = if (name in relocated) into + name else name
 
-    /** Returns true if all classes of [source] get new names. Then its files in `META-INF` for compilers and shrinkers are wrong. */
+    /** Returns true if all classes of [source] get new names. Its files in `META-INF` for compilers and shrinkers are then wrong. */
     fun isWhole(source: Source): Boolean = source.classes.isNotEmpty() && relocated.containsAll(source.classes)
 
-    /** Returns the class file [bytes] with the new names; [bytes] itself if no name in it changes. */
+    /** Returns the class file [bytes] with the new names. Returns [bytes] itself if no name in it changes. */
     fun rename(bytes: ByteArray): ByteArray {
         var renamed = false
         val remapper = object : Remapper(Opcodes.ASM9) {

@@ -12,7 +12,7 @@ import kotlin.io.path.walk
 
 /**
  * One entry of a class path: a jar or a folder.
- * @property entries the files in it, by their paths, with `/` between the parts
+ * @property entries the files by their paths, with `/` between the parts
  */
 class Source(val entries: Map<String, ByteArray>) {
     /** The internal names of the classes, such as `java/lang/String`. */
@@ -20,7 +20,7 @@ class Source(val entries: Map<String, ByteArray>) {
         entries.keys.filter { it.endsWith(".class") && !it.startsWith("META-INF/") }.map { it.removeSuffix(".class") }
 
     companion object {
-        /** Reads the files at [path]. There are none if [path] does not exist, as in a module without resources. */
+        /** Reads the files at [path]. Returns a source without files if [path] does not exist, as in a module without resources. */
         fun read(path: Path): Source = Source(
             when {
                 !path.exists() -> emptyMap()

@@ -7,7 +7,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import kotlin.io.path.writeText
 
-/** The lines that `./argo` prints of the log of a failed build. */
+/** Tests which lines of a failed build's log `./argo` prints. */
 class BuildErrorsSpec : FunSpec({
     fun errors(log: String): String {
         val file = tempdir().toPath().resolve("build.log").apply { writeText(log.trimIndent()) }

@@ -13,11 +13,14 @@ import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** `./argo dist --bundle`: what the central registry of Maven takes, by the functions of its script, with a key made for the test. */
+/**
+ * Tests `./argo dist --bundle` with a key made for the test. Calls the functions of the script that check what Maven's central registry
+ * requires.
+ */
 class BundleSpec : FunSpec({
     fun tree(properties: String = OF_A_PUBLISHER): Path = tempdir().toPath().apply { resolve("pom.xml").writeText("$properties\n") }
 
-    /** The exit status and the output of [commands] in the script of `dist`, of the sources in [tree]. */
+    /** Runs [commands] in the script of `dist` for the sources in [tree]. Returns the exit status and the output. */
     fun dist(tree: Path, commands: String): Pair<Int, String> {
         val script = "export GNUPGHOME='$tree/keys'; . ../build-tools/dist; here='$tree'; $commands"
         val bash = ProcessBuilder("bash", "-c", script).redirectErrorStream(true).start()
@@ -25,9 +28,9 @@ class BundleSpec : FunSpec({
     }
 
     val key = "mkdir -m 700 \"\$GNUPGHOME\"; gpg --batch --quiet --passphrase '' --quick-generate-key test default default never"
-    val end = "gpgconf --kill gpg-agent" // its folder is about to go
+    val end = "gpgconf --kill gpg-agent" // the test deletes the agent's folder
 
-    /** A library of [tree] as `dist` has packed it. */
+    /** Adds a library to [tree] in the form in which `dist` packs libraries. */
     fun library(tree: Path, pom: String = POM) {
         listOf(".jar", "-sources.jar", "-javadoc.jar", ".pom").forEach { ending ->
             val packed = tree.resolve("packed$ending").apply { writeText(if (ending == ".pom") pom else ending) }

@@ -20,7 +20,7 @@ import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** The lines that `./argo` itself prints. */
+/** Tests the lines that `./argo` itself prints. */
 class FrontDoorSpec : FunSpec({
     fun bash(vararg command: String): Pair<Int, String> {
         val process = ProcessBuilder("bash", *command).redirectErrorStream(true).start()
@@ -32,7 +32,7 @@ class FrontDoorSpec : FunSpec({
         val logs = tempdir().toPath()
         val log = logs.resolve("build.log")
         fun building(module: String) = "echo '[INFO] Building $module 0.1.0 [1/4]'"
-        // the shell opens the log for the build in the background at a time of its own, mostly early enough
+        // the shell opens the log in the background, so only some rounds could show an earlier line
         val rounds = """
             . ../build-tools/common.bash; logs='$logs'
             mvn() { ${building("later")}; }
@@ -78,7 +78,7 @@ class FrontDoorSpec : FunSpec({
         test("./argo format $option says first what it does and how long that takes") {
             val folder = tempdir().toPath()
             val java = "${System.getProperty("java.home")}/bin/java"
-            // formats nothing, and runs Maven
+            // runs Maven, but no formatter
             val formatters = "#!/bin/sh\ncase \"\$*\" in *ktlint*|*palantir*) ;; *) exec '$java' \"\$@\" ;; esac\n"
             folder.resolve("java").apply { writeText(formatters) }.toFile().setExecutable(true)
             val command = "PATH=$folder:\$PATH exec bash ../argo format $option"

@@ -15,13 +15,13 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** What the Gradle build reads of the POMs, by the program that it reads them with. */
+/** Tests what the Gradle build reads from the POMs. */
 class PomsSpec : FunSpec({
     val root = Path.of("..")
 
     fun poms(tree: Path, given: Map<String, String> = emptyMap()) = Poms(tree.toFile(), given)
 
-    /** Returns what is read of the modules of [tree], a line for each. */
+    /** Returns one line for each module of [tree]. */
     fun read(tree: Path, given: Map<String, String> = emptyMap()): String =
         poms(tree, given).let { poms -> poms.modules().joinToString("\n") { "${poms.module(it)}" } }
 

@@ -18,7 +18,10 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/** Each package knows only those that it may: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
+/**
+ * Tests that each package knows only allowed packages. CONTRIBUTING.md has the table of allowed packages, and docs/architecture.md has
+ * the order of packages.
+ */
 class LayersSpec : FunSpec({
     val product = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("argo", "javino", "jason.stdlib")
         .that(
@@ -29,12 +32,12 @@ class LayersSpec : FunSpec({
 
     fun packages(vararg names: String) = resideInAnyPackage(*names)
 
-    /** Selects classes of the product that are in none of [allowed]. */
+    /** Selects the product's classes outside of the packages [allowed]. */
     fun productBut(vararg allowed: String): DescribedPredicate<JavaClass> =
         packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed)))
             .`as`("another package of the product than ${allowed.joinToString()}")
 
-    /** The packages of the architecture, each with those that it may know. */
+    /** The packages of the architecture. The value lists the packages that the key may know. */
     val order = mapOf(
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
@@ -264,7 +267,8 @@ class LayersSpec : FunSpec({
 })
 
 /**
- * The packages of ARGO that the sources of package [name] import, each with the file that does; classes do not show imports of comments.
+ * Returns the packages of ARGO that the sources of package [name] import, each with its source file. Classes do not show imports for
+ * comments.
  */
 private fun importedBy(name: String): List<Pair<String, String>> =
     Path.of("../argo-arch/src/main/kotlin", *name.split('.').toTypedArray()).listDirectoryEntries("*.kt").flatMap { file ->

@@ -14,7 +14,7 @@ import java.nio.file.Path
 import java.util.jar.JarFile
 import kotlin.io.path.exists
 
-/** The contents of argo.jar. */
+/** Tests the contents of argo.jar. */
 class JarSpec : FunSpec({
     val file = Path.of(System.getProperty("argo.jar"))
     val jar = Source.read(file)
@@ -78,7 +78,6 @@ private fun Map<String, ByteArray>.services(): Map<String, List<String>> =
 
 private fun isOfJava(name: String): Boolean = ClassLoader.getPlatformClassLoader().getResource("$name.class") != null
 
-/** Returns the classes that a class file names. */
 private fun names(bytes: ByteArray): Set<String> {
     val names = mutableSetOf<String>()
     val collector = object : Remapper(Opcodes.ASM9) {

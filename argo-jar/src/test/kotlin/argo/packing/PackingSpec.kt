@@ -15,7 +15,6 @@ import kotlin.io.path.writeText
 
 private const val SERVICE = "META-INF/services/fixture.library.Voice"
 
-/** Packing, as both builds do it with the class path that they are given. */
 class PackingSpec : FunSpec({
     val library = classes("fixture/library/Voice.class", "fixture/library/LibraryVoice.class") + texts(
         SERVICE to "# the library's own\nfixture.library.LibraryVoice\n",
@@ -78,7 +77,6 @@ class PackingSpec : FunSpec({
     }
 })
 
-/** Returns the entries of the test's own classes. */
 private fun classes(vararg names: String): Map<String, ByteArray> =
     names.associateWith { name -> checkNotNull(PackingSpec::class.java.classLoader.getResource(name)) { name }.readBytes() }
 
