@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Shared by the scripts of ./argo: messages, the tools that they need, Maven. For ". build-tools/common.bash".
+# Functions for the scripts of ./argo: messages, required tools, Maven. A script includes them with ". build-tools/common.bash".
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 logs=$here/.argo
@@ -8,7 +8,7 @@ jar=$here/argo-jar/target/argo.jar
 fail() { printf './argo: %s\n' "$*" >&2; exit 1; }
 misuse() { printf './argo: %s\n' "$*" >&2; exit 2; }
 
-# Ends, and names what is missing, unless there are a JDK and a Maven that can build ARGO, and Maven runs on such a JDK too.
+# Ends with a message unless there are a JDK and a Maven that can build ARGO. Maven must also run on a JDK that can build ARGO.
 need_tools() {
   command -v javac >/dev/null 2>&1 || fail 'no JDK found (no javac on the PATH).' \
     'ARGO needs a JDK, 17 or newer: "sudo apt install default-jdk", "brew install openjdk" or https://adoptium.net'
@@ -29,22 +29,22 @@ need_tools() {
     fail "Maven runs on Java $java, ARGO needs 17 or newer: have JAVA_HOME name such a JDK (now: ${JAVA_HOME:-not set})"
 }
 
-# Shows the lines of the input: on a terminal only the newest one, elsewhere all.
+# Shows the lines of the input. A terminal shows only the newest line.
 show_one_line() {
   local line
   while IFS= read -r line; do if [ -t 2 ]; then printf '\r\033[K%s' "$line"; else printf '%s\n' "$line"; fi; done
 }
 
-# maven LOG ARGUMENT…: runs Maven with its output in LOG and the module at work on the terminal.
+# maven LOG ARGUMENT…: runs Maven. Writes Maven's output to LOG, and shows the current module on the terminal.
 maven() {
   local log=$1; shift
   mkdir -p "$logs"
-  : >"$log" # emptied now, so that no line of an earlier build is shown
+  : >"$log" # now, so that no line of an earlier build is shown
   local status=0
   mvn -B -f "$here/pom.xml" "$@" >"$log" 2>&1 < /dev/null &
   local pid=$!
   tail -n +1 -F --pid=$pid "$log" 2>/dev/null | sed -u -n 's/^\[INFO\] Building \([a-z-]*\) .*\[\(.*\)\]$/  \1 (\2)/p' | show_one_line >&2 &
-  local shown=$! # in the background, since a signal interrupts only waiting
+  local shown=$! # in the background, because a signal interrupts only "wait"
   trap 'kill $pid 2>/dev/null; exit 130' INT
   trap 'kill $pid 2>/dev/null; exit 143' TERM
   wait $pid || status=$?
@@ -54,7 +54,7 @@ maven() {
   return $status
 }
 
-# Prints the errors in Maven's log, without Maven's advice on itself, and a remedy if something could not be fetched.
+# Prints the errors in Maven's log, without Maven's advice on its options. Adds a remedy if Maven could not fetch something.
 errors() {
   sed -nE 's/ *-> \[Help [0-9]+\]$//; /^\[ERROR\] *[^ ]/p' "$1" |
     grep -vE '^\[ERROR\] (\[Help [0-9]|To see the full|Re-run|For more information|After correcting|  mvn <args>|See .*surefire|See dump)' |
@@ -65,20 +65,20 @@ errors() {
   fi
 }
 
-# Ends with the errors in Maven's log.
 build_failed() { errors "$1" >&2; fail "the build failed; the whole log is in $1"; }
 
 # Prints the value of a property of the POM, such as argo.group.
 property() { sed -n "s|^    <$1>\(.*\)</$1>$|\1|p" "$here/pom.xml"; }
 
-# The modules' folders.
+# Prints the folders of the modules.
 modules() { sed -n 's|.*<module>\(.*\)</module>.*|\1|p' "$here/pom.xml"; }
 
-# build MODULE…: builds these modules and those that they need, without tests. Skips a module if no source has changed since its last build.
+# build MODULE…: builds the given modules and their dependencies, without tests. Skips a module if no source has changed since its last
+# build.
 build() {
   local all module log=$logs/build.log changed=''
   IFS=$'\n' read -r -d '' -a all < <(modules) || true
-  all=("${all[@]/#/$here/}") # only those, since a project made by "new" may lie beside them
+  all=("${all[@]/#/$here/}") # only modules: a project made by "new" may lie beside them
   local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples" "$here/experiment")
   for module; do
     local stamp=$logs/built-$module
@@ -92,21 +92,21 @@ build() {
   for module in ${changed//,/ }; do touch "$logs/built-$module"; done
 }
 
-# The version and the commit of ARGO, in words.
+# Prints the version and the commit of ARGO.
 version() {
   local commit; commit=$(git -C "$here" describe --always --dirty --abbrev=10 2>/dev/null) || commit=unknown
   printf '%s, commit %s' "$(sed -n 's|^  <version>\(.*\)</version>$|\1|p' "$here/pom.xml")" "$commit"
 }
 
-# run MODULE CLASS ARGUMENT…: runs a program of a module in place of this script.
+# run MODULE CLASS ARGUMENT…: runs a program of a module. The program replaces this script.
 run() {
   local module=$1; shift
   build "$module"
-  # newer Java machines warn of jSerialComm's native library
+  # without --enable-native-access, newer Java machines warn of jSerialComm's native library
   exec java "-Dargo.build=$(version)" --enable-native-access=ALL-UNNAMED -cp "$here/$module/target/classes:$(cat "$here/$module/target/run.classpath")" "$@"
 }
 
-# The tools of the jar, in place of this script.
+# Runs the tools in argo.jar. They replace this script.
 tools() {
   build argo-jar
   exec java "-Dargo.command=./argo tools" -jar "$jar" "$@"
