@@ -12,11 +12,11 @@ import org.jetbrains.dokka.utilities.LoggingLevel;
 import org.jetbrains.dokka.utilities.MessageEmitter;
 
 /**
- * Writes a module's API documentation with Dokka, for builds that use no plugin but Kotlin's; Java runs it from source. Dokka's formats on
- * the class path determine the form.
+ * Writes a module's API documentation with Dokka, for builds without Dokka's plugin. Java runs this program from its source. The Dokka
+ * formats on the class path determine the form of the documentation.
  *
- * <p>Arguments: the module's name, the folder to write into, the folders of its sources and the class path that they are compiled with, the
- * last two separated as in a class path.
+ * <p>Arguments: the module's name, the output folder, the source folders and the class path of the compilation. The separator of a class
+ * path separates the source folders and the entries of the class path.
  */
 final class ApiDocs {
     private ApiDocs() {}

@@ -22,9 +22,9 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * Reads Maven's POMs for the Gradle build, which declares no modules, versions or dependencies itself. Fails if it does not understand a
- * dependency, a compiler plugin or a pattern of resources, since Gradle would build without it. Ignores Maven's other plugins: a
- * build.gradle.kts does their work.
+ * Reads Maven's POMs for the Gradle build. The Gradle build declares no modules, versions or dependencies itself. This class fails if it
+ * does not understand a dependency, a compiler plugin or a pattern of resources. It ignores Maven's other plugins: a build.gradle.kts
+ * does their work.
  */
 public final class Poms {
     /** Prints what Gradle reads about each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
@@ -37,8 +37,8 @@ public final class Poms {
     }
 
     /**
-     * A module, or another folder with a POM. Only folders of sources and resources beyond the usual ones are listed, as paths relative to
-     * the module. Folders of Java sources end in {@code /java}.
+     * A module, or another folder with a POM. Lists source and resource folders without the usual ones, as paths relative to the module.
+     * Folders of Java sources end in {@code /java}.
      *
      * @param isLibrary whether the module is published
      * @param isSerialized whether the module is compiled with Kotlin's plugin for serialization
@@ -56,7 +56,7 @@ public final class Poms {
             List<Resource> testResources) {}
 
     /**
-     * A dependency, with the Gradle configurations that correspond to its scope in Maven.
+     * A dependency. Its Gradle configurations correspond to its scope in Maven.
      *
      * @param excluded the libraries to leave out, as {@code group:name}
      */
@@ -73,14 +73,15 @@ public final class Poms {
     }
 
     /**
-     * A folder of resources, with its path on the class path; empty for the root of the class path.
+     * A folder of resources.
      *
+     * @param target the folder's path on the class path; empty: the root of the class path
      * @param files the names of the resources in the folder; empty: all files of the folder
      */
     public record Resource(String folder, String target, List<String> files) {}
 
     private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
-    // a dependency of type pom is no library: it only names a module to build first
+    // a dependency of type pom is no library, it only makes Maven build another module first
     private static final String DEPENDENCIES =
             "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
     private static final String UNKNOWN =
@@ -113,7 +114,7 @@ public final class Poms {
         return text("version");
     }
 
-    /** Returns the text of an element of the parent POM, by a path such as {@code licenses/license/name}. */
+    /** Returns the text of an element of the parent POM. {@code path} is a path such as {@code licenses/license/name}. */
     public String text(String path) {
         return text(parent, path, parent);
     }
@@ -127,7 +128,7 @@ public final class Poms {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
-    /** Returns the module, or another part with a POM, in the folder {@code name}. */
+    /** Returns the module in the folder {@code name}. The folder may also be another part of the build with a POM. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
@@ -165,7 +166,7 @@ public final class Poms {
                     case "provided" -> List.of("compileOnly", "testImplementation");
                     case "runtime" -> List.of("runtimeOnly");
                     case "test" -> List.of("testImplementation");
-                    default -> List.of("api"); // users of a library also compile with these dependencies, as in Maven
+                    default -> List.of("api"); // as in Maven, users of a library also compile with its dependencies
                 },
                 group,
                 name,
@@ -182,7 +183,7 @@ public final class Poms {
                         .toList());
     }
 
-    /** Returns the source folders, also of Java, that an execution of Kotlin's compiler adds to the usual ones. */
+    /** Returns the folders of Kotlin and Java sources that an execution of Kotlin's compiler adds to the usual ones. */
     private List<String> sources(Element pom, String execution, String usual) {
         return at(
                         pom,
@@ -193,8 +194,8 @@ public final class Poms {
     }
 
     /**
-     * Returns the folders of resources, without the usual one. The only known patterns are a whole folder of the module, {@code name/**},
-     * if there is no target, and names of files if there is a target.
+     * Returns the folders of resources, without the usual one. Without a target, a pattern must be a whole folder of the module:
+     * {@code name/**}. With a target, a pattern must be a file's name.
      */
     private List<Resource> resources(Element pom, String path, String usual) {
         String parts = path + "[includes and not(targetPath)]";
