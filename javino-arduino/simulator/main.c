@@ -79,7 +79,6 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000ull + (uint64_t)now.tv_nsec;
 }
 
-/* Reads an option's text RX,TX,BAUD. */
 static bool read_soft(options *o, const char *text)
 {
     char receives[8];

@@ -32,7 +32,6 @@ void panel_look(panel *panel);
 /** Takes typed bytes, and carries out each typed line. @return false if the person has quit */
 bool panel_type(panel *panel, const char *bytes, size_t count);
 
-/** Restores the terminal's settings. */
 void panel_close(panel *panel);
 
 #endif

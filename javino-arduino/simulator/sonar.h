@@ -22,7 +22,6 @@ typedef struct sonar {
     } pins[BOARD_PINS];
 } sonar;
 
-/** Connects a board, without sensors. */
 void sonar_connect(sonar *sonar, board *board);
 
 /**

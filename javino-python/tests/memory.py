@@ -2,8 +2,6 @@
 
 
 class Memory:
-    """A line in memory. The test is the far end."""
-
     def __init__(self):
         self.arrives, self.sent = b"", b""
 

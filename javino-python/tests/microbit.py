@@ -90,7 +90,6 @@ class MicroBit:
         self.do("f.close()")
 
     def start(self, files):
-        """Copies files and starts the last one, main.py."""
         self.until(b">>> ")
         self.line.write(b"\x01")
         self.until(b"\r\n>")

@@ -28,7 +28,6 @@ class Bench:
         self.board = javino.Board(self.line, ticks=lambda: self.now, **options)
 
     def hear(self, kind, number, payload=b""):
-        """Sends a frame and returns the board's frames."""
         if kind == frames.HELLO:
             self.nonce = number
         self.line.arrives = frames.encode(frames.Frame(kind, number, payload), self.nonce)

@@ -29,8 +29,6 @@ def to_hex(data):
 
 
 class Sink:
-    """Keeps the frames that a receiver finds."""
-
     def __init__(self):
         self.found1, self.found2 = [], []
 
@@ -45,7 +43,6 @@ class Sink:
 
 
 def play(case, sink, receiver, end):
-    """Passes the chunks of a case to the receiver."""
     now = 0
     for chunk in case["chunks"]:
         now += chunk["gapMs"]
@@ -126,8 +123,6 @@ class Line:
 
 
 class Program:
-    """Makes a board with the actions of a case."""
-
     def __init__(self, case):
         self.now, self.nonce, self.texts, self.carried, self.later = 0, 0, [], [], 0
         self.line = Line()

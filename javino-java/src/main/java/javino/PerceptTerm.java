@@ -88,7 +88,6 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return arguments.equals(List.of("")) ? List.of() : arguments;
     }
 
-    /** Counts the open brackets outside of quotes. */
     private static final class Nesting {
         private int depth;
         private char quote;

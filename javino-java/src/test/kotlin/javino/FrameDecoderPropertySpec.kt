@@ -24,7 +24,6 @@ private val HEADER = Regex("(?=fffe([0-9A-Fa-f]{2}))")
 /** Payloads without `f`, so no preamble can begin in them. */
 private val ordinary = Arb.list(Arb.element("abcdeghij(),;0123456789 \u00e9".toList()), 0..40).map { Frame.of(it.joinToString("")) }
 
-/** Payloads made of pieces of preambles and lengths. */
 private val nastyText =
     Arb.list(Arb.element("f", "ff", "fffe", "fffe0", "fffe02", "e", "0", "A", "F", "x"), 0..30).map { it.joinToString("") }
 private val nasty = nastyText.map { Frame.of(it) }

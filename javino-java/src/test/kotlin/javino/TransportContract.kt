@@ -154,6 +154,5 @@ internal fun <T> async(work: () -> T): CompletableFuture<T> {
     return result
 }
 
-/** Returns the exception of the failed work, within 20 s. */
 internal fun CompletableFuture<*>.failure(): Throwable =
     checkNotNull(shouldThrow<ExecutionException> { get(20, TimeUnit.SECONDS) }.cause)

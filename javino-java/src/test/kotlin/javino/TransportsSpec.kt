@@ -24,7 +24,6 @@ class NowhereProvider : TransportProvider {
     override fun ports() = listOf("nowhere:here")
 }
 
-/** A provider whose constructor fails. */
 class UnusableProvider : TransportProvider {
     init {
         error("not today")

@@ -36,7 +36,6 @@ sealed interface Condition {
     }
 }
 
-/** Requires that the limit [until] is beyond the limit of [test]. */
 private fun requireBeyond(test: TermTest, until: Double) {
     require(until.isFinite()) { "the second limit $until is no finite number" }
     require(test is TermTest.Compare && test.operator.ordering) {

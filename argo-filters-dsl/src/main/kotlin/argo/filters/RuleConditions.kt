@@ -72,7 +72,6 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** Replaces the condition [old] by [new]. */
     internal fun replace(old: Condition, new: Condition) {
         conditions[conditions.indexOfLast { it === old }] = new
     }
@@ -135,7 +134,6 @@ class CriticalConditions internal constructor() : RuleConditions() {
 sealed class AnyTerm<out L> {
     internal abstract fun must(vararg tests: TermTest)
 
-    /** Requires [test], which compares by order. */
     internal abstract fun order(test: TermTest.Compare): L
 
     /** Requires a term equal to [value], which is in Jason's syntax: `argument(0) eq "front"`. */

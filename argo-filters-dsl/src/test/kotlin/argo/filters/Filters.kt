@@ -20,7 +20,6 @@ import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.arbitrary.string
 
-/** A filter whose rules are the given XML elements. */
 fun xml(rules: String): PerceptionFilter = XmlFilters.read("<PerceptionFilter>$rules</PerceptionFilter>", "test.xml")
 
 /** A filter with one rule on [predicate]. [conditions] is the XML of its conditions. */
@@ -133,7 +132,6 @@ val percepts: Arb<Percept> = Arb.bind(predicates, Arb.list(values(), 0..3), Arb.
 val blanks: Arb<String> =
     Arb.choice(Arb.constant(""), Arb.constant(""), Arb.element(" ", "\t", "\n", " \r\n ", "/* , ) */", "// ]\n", "/***/"))
 
-/** Percepts as text, with [blanks] between their tokens. */
 val perceptTexts: Arb<String> = Arb.bind(percepts, Arb.list(blanks, 16..16), Arb.boolean()) { percept, blanks, spaced ->
     var next = 0
     fun blank() = if (spaced) blanks[next++ % blanks.size] else ""

@@ -118,7 +118,6 @@ final class Command implements SessionCommand {
         beganBehind = bytes;
     }
 
-    /** Returns the number of bytes written to the line before this command. */
     long beganBehind() {
         return beganBehind;
     }

@@ -227,7 +227,6 @@ final class CommandLoop {
                                 + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
-    /** Fails all unfinished commands, because the line is gone. */
     void failAll(String reason) {
         writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
         line.abandon(new PortGoneException(port, reason));

@@ -177,7 +177,6 @@ final class Pacer {
         }
     }
 
-    /** Records at {@code now} that the answer to the last request did not come in time. */
     void unanswered(long now) {
         lateAnswers += answerBegun ? 0 : 1;
         silence.unanswered(now);

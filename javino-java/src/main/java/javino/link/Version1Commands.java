@@ -126,7 +126,6 @@ final class Version1Commands {
         }
     }
 
-    /** Fails a command if it is still under way. */
     void fail(Command command, Throwable failure) {
         if (command == underWay) {
             end(failure);

@@ -19,7 +19,6 @@ final class Version1SilenceHold {
         hold(end);
     }
 
-    /** Records at {@code now} that the answer to the last request did not come in time. */
     void unanswered(long now) {
         isSilent = true;
         hold(now);

@@ -3,7 +3,6 @@ package javino.session;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Joins the parts of answers. */
 final class AnswerParts {
     /** An answer. The request's number is 0 if the answer came unasked. The items are null if a part is missing. */
     record Answer(int request, String items) {}

@@ -15,10 +15,8 @@ public interface SessionListener<C> {
     /** Called when a session has begun. The board holds no rules then. */
     void began(Welcome welcome);
 
-    /** Called when the outcome of a command is known. */
     void ended(C command, CommandOutcome outcome);
 
-    /** Called with the answer to the request. */
     void answered(String percepts);
 
     /** Called with percepts that came unasked. */

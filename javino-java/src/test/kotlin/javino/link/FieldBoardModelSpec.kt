@@ -13,7 +13,6 @@ private class Looks {
     val board = FieldBoardModel(10, LOOP, Frame.of("dist(f,1);"), startNanos = 5_000)
     private var now = 0L
 
-    /** Lets [text] arrive in one piece. The board then reads it. */
     fun read(text: String) = apply {
         text.forEach { board.receive(it.code.toByte(), now) }
         now += LOOP

@@ -16,7 +16,6 @@ import javino.Frame
 private const val STEP = 20_000L // ns
 private const val MILLI = 1_000_000L
 
-/** An action to send, with its time in ms and its length. */
 private data class Order(val atMillis: Int, val length: Int)
 
 /** A link and a field board in virtual time. The link requests percepts repeatedly and sends the ordered actions. */

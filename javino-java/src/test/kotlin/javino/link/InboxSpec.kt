@@ -18,7 +18,6 @@ import java.util.concurrent.TimeUnit
 
 private const val PAST = Long.MIN_VALUE / 4
 
-/** An inbox that reads version 1. */
 internal fun inboxOn(line: Transport, clock: LineClock, listener: Inbox.Listener = Inbox.Listener { _, _ -> }): Inbox {
     val monitor = Monitor(clock, line.name())
     return Inbox(monitor, line, clock, KnownBoard(monitor, clock, LinkSettings.defaults().withProtocol(Protocol.V1)), listener)

@@ -211,7 +211,6 @@ class LinkFaultSpec : FunSpec({
     }
 })
 
-/** Opens a link that has an owner. */
 private fun owned(name: String) = { line: Transport, settings: LinkSettings, clock: LineClock ->
     Link(line, settings, PortOwners.claim(name, "the test"), clock)
 }

@@ -161,7 +161,6 @@ class LinkThreadsSpec : FunSpec({
         }
     }
 
-    /** The time limit of the present read in ms. */
     suspend fun LossyLine.readsFor(): Int = eventually(20.seconds) { checkNotNull(limit) { "nobody reads" } }
 
     lossy("who reads looks in time after a frame that was lost, though the thread that would have done so goes") { line, link ->

@@ -26,7 +26,6 @@ private fun timed(settings: LinkSettings, delays: List<Long>): Pair<Pacer, Long>
     return pacer to now
 }
 
-/** The gap after a frame when answers had [delays]. */
 private fun gapAfter(delays: List<Long>, settings: LinkSettings = LinkSettings.defaults()): Long {
     val (pacer, now) = timed(settings, delays)
     val sent = pacer.wroteAction(11, now, now)

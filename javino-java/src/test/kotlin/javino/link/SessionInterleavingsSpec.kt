@@ -104,7 +104,6 @@ private class Session {
 
     fun await(command: Command) = check(line.await(command::isOver, LIMIT_NANOS, false)) { "no outcome" }
 
-    /** Withdraws [command]. Returns false if it has begun. */
     fun withdraw(command: Command): Boolean = writer.withdraw(command).also {
         if (it) command.outcome().completeExceptionally(CommandWithdrawnException(transport.name(), "it was withdrawn"))
     }
@@ -113,7 +112,6 @@ private class Session {
 
     fun listen() = line.await({ false }, LIMIT_NANOS, true)
 
-    /** Ends the line like a closed link. */
     fun end() {
         writer.end("it was closed")
         commands.failAll("it was closed")

@@ -17,7 +17,6 @@ private const val LIMIT_MS = 20_000
 class StrayBytesSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withBootMillis(0)
 
-    /** The error of a link whose board answers requests with [answer]. */
     fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", SILENT_MS) }): String =
         FakeBoard.plugIn("stray").lenient().use { board ->
             board.whenAsked("getPercepts").answerRaw(answer)

@@ -27,10 +27,8 @@ internal class VirtualBench(
     private val line: MemoryLine = MemoryLine.paced(name, settings.line(), clock)
     val link = Link(line.computer(), settings.withProtocol(protocol), PortOwners.claim(name, "the test"), clock)
 
-    /** Milliseconds since the link was opened. */
     val millis: Double get() = clock.now / 1e6
 
-    /** Advances time without a call on the link. */
     fun awayFor(millis: Int) {
         val until = clock.now + millis * 1_000_000L
         while (clock.now < until) clock.step(STEP_NANOS)
@@ -64,7 +62,6 @@ internal class VirtualBench(
  * @param answersAfter ms between the last byte of a request and the first byte of its answer
  */
 internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter: Double = 0.0, private val padding: Int = 0) : LineEnd {
-    /** The received messages, each with its time in ms. */
     val received = mutableListOf<Pair<String, Double>>()
     var stopped = false
     var silent = false

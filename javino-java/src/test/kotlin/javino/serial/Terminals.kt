@@ -3,7 +3,6 @@ package javino.serial
 import io.kotest.core.test.Enabled
 import javino.sim.PseudoTerminals
 
-/** A pair of pseudo-terminals. */
 internal class Terminals private constructor(private val pair: PseudoTerminals) : AutoCloseable {
     val computer: String = pair.computer().path
     val board: String = pair.board().path

@@ -32,7 +32,6 @@ internal class BoardModel(
     /** Length of a part of an answer in bytes. */
     var partSize = 253
 
-    /** Forgets the session. */
     fun restart() {
         nonce = 0
         due = 0
@@ -64,10 +63,8 @@ internal class BoardModel(
         }
     }
 
-    /** Sends percepts unasked. */
     fun say(text: String): List<WireFrame> = answer(0, text)
 
-    /** Ends a command that has continued. */
     fun finish(isDone: Boolean = true): WireFrame {
         isBusy = false
         due = due + 1 and 0xFF

@@ -34,7 +34,6 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
-/** The program of the board in the vectors. */
 private class VectorProgram(
     private val actions: List<BoardAction>,
     private val refused: List<String>,
@@ -84,7 +83,6 @@ private class VectorBoard(board: JsonObject) {
         return null
     }
 
-    /** Receives a frame in the computer's session, or in the session with [nonce]. */
     private fun receive(frame: WireFrame, nonce: Int?) {
         if (frame.kind() == FrameKind.HELLO) begun = frame.number()
         val bytes = frame.toBytes(nonce ?: begun)

@@ -31,7 +31,6 @@ internal class ComputerEnd(private val line: Transport) {
         return arrived.removeFirst()
     }
 
-    /** Sends a frame and returns the next one from the board. */
     fun exchange(kind: FrameKind, number: Int, payload: String): WireFrame {
         write(kind, number, payload)
         return next()
@@ -42,7 +41,6 @@ internal class ComputerEnd(private val line: Transport) {
         check(exchange(FrameKind.HELLO, NONCE, "").kind() == FrameKind.WELCOME)
     }
 
-    /** Sends a command and returns its acknowledgement. */
     fun command(text: String) = command(CommandItem.Text(text))
 
     fun command(item: CommandItem) = exchange(FrameKind.COMMANDS_WITH_RESUME, number++, item.payload())

@@ -21,7 +21,6 @@ private val FAST = LineSettings(1_000_000)
 
 private fun Transport.writeMessage(bytes: String) = write(bytes.toByteArray(), 0, bytes.length, LIMIT_MILLIS)
 
-/** A program that sends one command and ends. */
 private fun sendOnce(board: FakeBoard) = Transports.open(board.port(), FAST).use { it.writeMessage("fffe05ledOn") }
 
 class FakeBoardVerdictSpec : FunSpec({

@@ -21,7 +21,6 @@ internal object LibraryBoards {
         else Enabled.disabled("needs a C compiler, cc, with its sanitizers, but: ${reason.getOrNull()?.second ?: reason.exceptionOrNull()}")
     }
 
-    /** Returns the program's output for each of the [operations]. */
     fun play(operations: List<String>): List<List<String>> {
         val script = Files.createTempFile("argo-c", ".txt")
         val output = Files.createTempFile("argo-c", ".txt")
@@ -49,7 +48,6 @@ internal object LibraryBoards {
         return made
     }
 
-    /** The exit status of the compiler and its output. */
     private fun cc(made: Path, vararg arguments: String): Pair<Int, String> {
         val options = listOf("cc", "-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-o", "$made")
         val process = ProcessBuilder(options + arguments).redirectErrorStream(true).start()

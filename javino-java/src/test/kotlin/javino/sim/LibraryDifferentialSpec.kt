@@ -154,7 +154,6 @@ private class LibraryOutput {
     }
 }
 
-/** Random operations of conversations, partly damaged. */
 private class Generator(private val random: Random, private val due: () -> Int, private val nonce: () -> Int) {
     private fun <T> one(vararg choices: T): T = choices[random.nextInt(choices.size)]
 

@@ -21,7 +21,6 @@ internal class Loopback : AutoCloseable {
         if (breaks) setSoLinger(true, 0)
     }
 
-    /** Returns the far end's transport for the next connection; see [accept]. */
     fun accepted(line: LineSettings = LineSettings.defaults(), breaks: Boolean = false): Transport =
         TcpTransport(accept(breaks), "the board's end", line)
 

@@ -41,7 +41,6 @@ internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 
         setKeyEntry("own", keys.private, PASSWORD, arrayOf(certificate))
     }
 
-    /** Writes the certificate, and the key if [key] is given. */
     fun write(crt: Path, key: Path? = null) {
         crt.writeText(TlsFolder.pem("CERTIFICATE", certificate.encoded))
         key?.writeText(TlsFolder.pem("PRIVATE KEY", keys.private.encoded))
@@ -50,7 +49,6 @@ internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 
     companion object {
         val PASSWORD = "secret".toCharArray()
 
-        /** A certificate that several tests use. */
         val BOARD by lazy { TestCertificate("board") }
 
         // tags and values of ASN.1

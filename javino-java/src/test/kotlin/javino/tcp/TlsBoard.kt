@@ -56,7 +56,6 @@ internal class TlsBoard(own: TestCertificate, private val computer: TestCertific
     override fun close() = server.close()
 }
 
-/** Returns the far end's transport, within 20 s. */
 internal fun CompletableFuture<TlsTransport>.end(): TlsTransport = get(20, TimeUnit.SECONDS)
 
 /** Sends bytes one by one with a pause after each, so no TLS record arrives at once. */

@@ -18,7 +18,6 @@ internal fun bytesOf(text: String): ByteArray = text.toByteArray(Charsets.ISO_88
 
 internal fun textOf(bytes: ByteArray): String = String(bytes, Charsets.ISO_8859_1)
 
-/** The default nonce of frames in tests. */
 internal const val NONCE = 7
 
 /** A receiver of one direction, with its own clock in milliseconds. */
@@ -49,7 +48,6 @@ internal fun vectorOf(frame: WireFrame): String {
     return HexFormat.of().formatHex(byteArrayOf(kind.toByte(), frame.number().toByte()) + bytesOf(frame.payload()))
 }
 
-/** Reads a frame in the notation of [vectorOf]. */
 internal fun frameOf(vector: String): WireFrame {
     val text = textOf(HexFormat.of().parseHex(vector))
     val flags = if (text[0].code >= FrameKind.FROM_BOARD) text[0].code and (WireFrame.REFUSED or WireFrame.BUSY) else 0

@@ -28,7 +28,6 @@ internal class VirtualBoard2(
     /** The handled requests and commands in order, each with its version: `2:getPercepts`. */
     val handled = mutableListOf<String>()
 
-    /** All frames of version 2 that the board has received. */
     val received = mutableListOf<WireFrame>()
 
     /** Called with each handled request or command. By default adds it to [handled]. */
@@ -106,12 +105,10 @@ internal class VirtualBoard2(
         if (frame != null) session.receive(frame) else handleVersion1(message.version1().text())
     }
 
-    /** Sends percepts unasked. */
     fun say(text: String, version: Int = 2) {
         if (version == 1) post(Frame.of(text).toBytes()) else session.sendPercepts(text)
     }
 
-    /** Compares the sensors' [percepts] with the board's rules. */
     fun sees(percepts: String) = session.look(percepts)
 
     private fun handleVersion1(text: String) {

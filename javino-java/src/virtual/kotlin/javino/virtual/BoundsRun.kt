@@ -34,7 +34,6 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
     private val link get() = line.link
     private val now get() = line.clock.nanos()
 
-    /** Number of answered requests and carried-out commands. */
     var exchanges = 0
         private set
 
@@ -57,7 +56,6 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         return FAULTLESS.pass(bytes)
     }
 
-    /** Makes one or more exchanges, of a random kind. */
     fun step() = if (course.hasRules) when (random.nextInt(4)) {
         0 -> answer()
         1 -> urgent()

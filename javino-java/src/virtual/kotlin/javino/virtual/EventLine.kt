@@ -20,13 +20,11 @@ internal fun interface LineFaults {
 /** Leaves the bytes as they are. */
 internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
 
-/** The far end of a line. */
 internal fun interface LineEnd {
     /** Does the work that is due at [now], in ms since the link was opened. Called repeatedly. */
     fun look(end: Transport, now: Double)
 }
 
-/** A board on an [EventLine]. */
 internal interface EventBoard : LineEnd {
     /** The next time, in ms, at which the board has work even if nothing arrives. Infinite if there is none. */
     val dueMillis: Double

@@ -22,7 +22,6 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
     var answered = 0
         private set
 
-    /** Number of frames that the computer dropped because of a wrong checksum. */
     var corruptFrames = 0L
         private set
 
@@ -85,7 +84,6 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
     }
 
     companion object {
-        /** A line of 115,200 baud, with a board that has started. */
         val FAST: LinkSettings = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
 
         /** Number of commands in a row. Also the number of requests in a row. */
@@ -95,7 +93,6 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
 
         fun ninePercepts(n: Int): String = "count($n,${n * 31L % 1009});" + "dist(f,$n);".repeat(8)
 
-        /** Returns the number in an answer, or 0. */
         fun numberIn(answer: String): Int = answer.substringAfter('(').substringBefore(',').toIntOrNull() ?: 0
     }
 }

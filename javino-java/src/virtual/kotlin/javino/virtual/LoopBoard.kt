@@ -25,7 +25,6 @@ internal interface TimedSketch {
     /** Returns the percepts at [nanos], each followed by `;`. */
     fun percepts(nanos: Long): String
 
-    /** Called when [command] has been carried out between [fromNanos] and [toNanos]. */
     fun carriedOut(command: String, fromNanos: Long, toNanos: Long)
 }
 

@@ -78,7 +78,6 @@ class PerceptMatcher internal constructor(
         return first
     }
 
-    /** Returns the first smoothing rule that the percept in [text] meets, or null. */
     internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
         smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
 

@@ -4,7 +4,6 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** A [percept] with its [text], and its [kind] for rates. */
 internal class RatedPercept<P>(val percept: P, val text: PerceptText, val kind: String)
 
 /** A [percept] that was let through at [atMs]. [numbers] are its numeric arguments, by index. */
@@ -82,7 +81,6 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
 
-    /** Returns the time [ms] after [startMs], limited to [Long.MAX_VALUE]. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun hasMoved(rate: Rate, last: LetThrough<P>, text: PerceptText): Boolean = rate.deadbands.any { deadband ->

@@ -38,7 +38,6 @@ class FilterDocumentationSpec : StringSpec({
     }
 
     "its Kotlin compiles".config(tags = thorough) {
-        // one file with all blocks, and their imports at the top
         val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
         val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
         withClue(compilation) { compilation.exit shouldBe ExitCode.OK }

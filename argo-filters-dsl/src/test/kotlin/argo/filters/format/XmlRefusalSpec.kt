@@ -13,10 +13,8 @@ private fun problems(document: String) = shouldThrow<FilterException> { XmlFilte
 /** A refused rule: its [text], in which `¦` marks the beginning of the fault, and words of the message. */
 private data class Refusal(val text: String, val words: String)
 
-/** A refusal of [elements] after the predicate in a rule. */
 private fun inRule(elements: String, words: String) = Refusal("<filter><predicate>d</predicate>$elements</filter>", words)
 
-/** A refusal of [elements] after the predicate in a smoothing rule. */
 private fun inSmoothing(elements: String, words: String) = Refusal("<smooth><predicate>d</predicate>$elements</smooth>", words)
 
 class XmlRefusalSpec : FreeSpec({

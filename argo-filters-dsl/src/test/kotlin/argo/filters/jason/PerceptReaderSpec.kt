@@ -23,7 +23,6 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 
-/** Describes a term by its class, text, hash code and source position, and describes its parts likewise. */
 private fun anatomy(term: Term): String = buildString {
     append(term.javaClass.name).append('«').append(term).append('»').append(term.hashCode())
     append('@').append(term.srcInfo?.let { "${it.srcFile}:${it.beginSrcLine}-${it.endSrcLine}" })

@@ -23,7 +23,6 @@ private fun drop(rules: DropRules.() -> Unit) = dropFilter("f", rules = rules)
 
 private fun keep(rules: KeepRules.() -> Unit) = keepFilter("f", rules = rules)
 
-/** Filters with a part that has no effect, and their warnings. */
 private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
     drop {} to listOf("the filter has no rules, so it keeps every percept"),
     keep {} to listOf("the filter has no rules, so it drops every percept"),
@@ -124,7 +123,6 @@ private val WITH_EFFECT = listOf(
 
 private val USELESS_RULE = Regex("^rule (\\d+) .*(matches no percept|has no effect)", RegexOption.DOT_MATCHES_ALL)
 
-/** The filter, and its copies from the other forms. */
 private fun forms(filter: PerceptionFilter) = listOf(
     filter, XmlFilters.read(XmlFilters.write(filter), "f.xml"), JsonFilters.read(JsonFilters.write(filter), "f.json"),
 )

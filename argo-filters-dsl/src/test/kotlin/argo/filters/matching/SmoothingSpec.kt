@@ -40,7 +40,6 @@ private object Reading : PerceptType("dist") {
 
 private fun session(filter: PerceptionFilter): Played<String> = Played(FilterSession.ofTexts()).also { it.switchTo(filter) }
 
-/** Returns the smoothed numbers for a sensor's [numbers], which come every [pauseMs] milliseconds. */
 private fun smoothed(filter: PerceptionFilter, numbers: List<Number>, pauseMs: Long = 50): List<Double> {
     val session = session(filter)
     return numbers.mapIndexed { at, number ->
