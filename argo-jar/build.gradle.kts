@@ -1,4 +1,4 @@
-/** Packs the only jar that a Jason project needs for ARGO. It contains everything except Jason. */
+/** Packs the only jar that a Jason project needs for ARGO. The jar contains everything except Jason. */
 val argoJar by tasks.registering(JavaExec::class) {
     description = "Packs argo.jar."
     val jar = layout.buildDirectory.file("libs/argo.jar")

@@ -106,7 +106,7 @@ run() {
   exec java "-Dargo.build=$(version)" --enable-native-access=ALL-UNNAMED -cp "$here/$module/target/classes:$(cat "$here/$module/target/run.classpath")" "$@"
 }
 
-# Runs the tools in argo.jar. They replace this script.
+# Runs the tools in argo.jar. The tools replace this script.
 tools() {
   build argo-jar
   exec java "-Dargo.command=./argo tools" -jar "$jar" "$@"

@@ -1,4 +1,4 @@
-/** @file An Arduino Uno: an ATmega328P at 16 MHz. Its pins have Arduino's names. */
+/** @file An Arduino Uno: an ATmega328P at 16 MHz. The pins have Arduino's names. */
 #ifndef BOARD_H
 #define BOARD_H
 
@@ -79,7 +79,7 @@ unsigned board_baud(const board *board);
 /** Sends a byte to the board, at the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 
-/** Sends a byte to the board. Its first bit begins at `cycle`, which must be in the future and after all earlier bytes. */
+/** Sends a byte to the board. The byte's first bit begins at `cycle`. `cycle` must be in the future and after all earlier bytes. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
 
 /** Passes the board's bytes to this function in place of the sink. */

@@ -20,7 +20,7 @@
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
-/* The simulator catches up with delays up to this length. It skips longer delays. */
+/* The simulator catches up with delays up to this length. The simulator skips longer delays. */
 #define LAG_NS 50000000ull
 /* The time between two checks of the pins for the panel. */
 #define PANEL_NS 100000000ull

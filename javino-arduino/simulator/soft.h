@@ -1,4 +1,4 @@
-/** @file A serial line on two pins of the board, for sketches with SoftwareSerial. It has 8 data bits, no parity, one stop bit. */
+/** @file A serial line on two pins of the board, for sketches with SoftwareSerial. The line has 8 data bits, no parity, one stop bit. */
 #ifndef SOFT_H
 #define SOFT_H
 

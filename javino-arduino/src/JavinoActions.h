@@ -93,7 +93,7 @@ private:
     UNCERTAIN /* the text may be truncated, and another action begins with it */
   };
 
-  /** Calling this is a compile error. Its message says what to write. */
+  /** Calling this is a compile error. The error's message says what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "

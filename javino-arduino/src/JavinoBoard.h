@@ -66,7 +66,7 @@ private:
   friend class JavinoBoard;
   void (*hook_)(JavinoBoard &); /* The board's previous hook, called after counting. */
   unsigned long look_ms_;                    /* Time of the last check for messages. */
-  uint8_t frames_;                           /* The link's count of frames at the last check. damaged_ likewise. */
+  uint8_t frames_;                           /* The link's count of frames at the last check. damaged_: of damaged frames. */
   uint8_t damaged_;
 };
 
@@ -124,8 +124,8 @@ public:
   /**
    * Registers the function for an action with arguments.
    *
-   * @param name       the functor. It is not copied, so it must stay valid. A name in flash is copied into the board's memory, so
-   *     register it before anything arrives
+   * @param name       the functor. The board does not copy the name, so the name must stay valid. A name in flash is copied into the
+   *     board's memory, so register it before anything arrives
    * @param function   takes the board, the arguments, both in this order, or neither. A function without the arguments refuses an action
    *     with arguments. The function returns `void` or `bool`. false refuses the action
    * @param arguments  the number of arguments. An action with another number is refused without a call
@@ -194,9 +194,10 @@ public:
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers a function for a lost link: it is called if nothing valid has arrived for `ms` milliseconds. With 0, it is never called.
-   * The function can stop motors if the computer fails. It is called once, and again only after something has arrived. Bytes that arrived
-   * during a long loop() count as arrived at its beginning (javino_link_lost). If loop() never returns, only a watchdog helps.
+   * Registers a function for a lost link. The board calls the function if nothing valid has arrived for `ms` milliseconds. With 0, the
+   * board never calls the function. The function can stop motors if the computer fails. The board calls the function once, and again only
+   * after something has arrived. Bytes that arrived during a long loop() count as arrived at its beginning (javino_link_lost). If loop()
+   * never returns, only a watchdog helps.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
@@ -273,8 +274,8 @@ public:
 
   /**
    * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call describe() for each kind, in the function of
-   * perceive(). It writes only if a computer of version 2 has requested the description. During such a request wants() returns false for
-   * all percepts.
+   * perceive(). describe() writes only if a computer of version 2 has requested the description. During such a request wants() returns
+   * false for all percepts.
    *
    * @param kind  a functor, and for each argument `_` (anything), a choice (`front|left`, `0|1`), or a number's unit, if any, and range
    *     (`cm 0..400`, `-40..125`, `% ..`); at most 250 bytes

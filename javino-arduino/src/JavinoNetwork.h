@@ -112,7 +112,7 @@ public:
   /** Returns true if a stream has been set. */
   bool hasStream() const { return !gathering_.isOn(NULL); }
 
-  /** @name Like the functions of JavinoBoard. They also send the gathered bytes. */
+  /** @name Like the functions of JavinoBoard. These functions also send the gathered bytes. */
   ///@{
   void run() {
     JavinoBoard::run();

@@ -132,8 +132,8 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 bool javino_kind_begin(javino_board *board);
 
 /**
- * Begins a percept with its functor: an atom, perhaps after a ~. @return false if nobody wants the percept. Then write nothing more of
- * it, and do not call javino_percept_end
+ * Begins a percept with its functor: an atom, perhaps after a ~. @return false if nobody wants the percept. After false, write nothing
+ * more of the percept, and do not call javino_percept_end
  */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
@@ -171,8 +171,8 @@ void javino_board_place(javino_board *board, uint16_t base);
 void javino_board_clear(javino_board *board);
 
 /**
- * Sends a message of any length. It counts as the answer to the present request. In version 2 it goes out in parts. In version 1 a
- * message that is longer than a frame goes out as several messages of whole percepts.
+ * Sends a message of any length. The message counts as the answer to the present request. In version 2 the message goes out in parts. In
+ * version 1 a message that is longer than a frame goes out as several messages of whole percepts.
  *
  * @return false if a percept is longer than a frame of version 1
  */

@@ -71,7 +71,7 @@ void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
 
 /**
  * Begins a session of version 2. Nonce 0 ends the session. During a session, a frame of version 1 is found only after a silence of a
- * quarter of the timeout. Its bytes are not read again.
+ * quarter of the timeout. The decoder does not read the bytes of this frame again.
  */
 void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 
@@ -80,11 +80,11 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  *
  * A frame is found when its last byte has come. The decoder keeps the bytes of a version 1 frame until it knows the next bytes. A header
  * or silence confirms the frame. Other bytes mean that the frame may have been misread. The decoder then reads its bytes again, from the
- * second on. It also does so after a silence within the frame.
+ * second on. The decoder also reads a frame's bytes again after a silence within the frame.
  *
  * A frame of version 2 is dropped, and not read again, if it is damaged, too long for the memory, of another session, or not from a
- * computer. Without a session only the checksum of HELLO is checked. The checksum of other frames is unknown then. They only show that a
- * computer is present.
+ * computer. Without a session only the checksum of HELLO is checked. The checksum of other frames is unknown then. The other frames only
+ * show that a computer is present.
  *
  * @param now_ms  the time of the last check of the receive buffer. The buffer must be empty, or javino_decoder_ready must return false
  * @return the frame: JAVINO_OVERHEAD bytes and its payload, in version 2 without escapes. After a frame, call this again before the next

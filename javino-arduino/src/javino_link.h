@@ -34,7 +34,7 @@ typedef uint8_t javino_event;
 
 /** An action of a program. The computer may call it by number. The program may store more data after each javino_action. */
 typedef struct {
-    const char *name;  /**< The action's functor, at most JAVINO_NAME_MAX bytes. It must stay valid. */
+    const char *name;  /**< The action's functor, at most JAVINO_NAME_MAX bytes. The name must stay valid. */
     uint8_t arguments; /**< Number of arguments, or JAVINO_ANY. */
 } javino_action;
 
@@ -85,7 +85,7 @@ typedef struct {
     uint8_t known;      /* number of shapes that the computer knows */
     uint8_t shapes;     /* number of shapes sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the present frame holds commands; its length and number are those of the remaining commands */
+    bool row;           /* the present frame holds commands; length and number are those of the remaining commands */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
@@ -166,7 +166,7 @@ void javino_link_supervise(javino_link *link, uint32_t now_ms);
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
 
 #ifndef JAVINO_VERSION_2_ONLY
-/** Sends one frame of version 1. It counts as the answer to the present request. */
+/** Sends one frame of version 1. The frame counts as the answer to the present request. */
 void javino_link_send(javino_link *link, const char *text, uint8_t length);
 #endif
 

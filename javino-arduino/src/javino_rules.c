@@ -307,7 +307,7 @@ static void report(javino_board *b, uint8_t number, uint8_t outcome, const char 
     javino_encoder_finish(e, text, length);
 }
 
-/* Compares the newest percept with all rules. It is stored after the whole percepts. */
+/* Compares the newest percept with all rules. The newest percept is stored after the whole percepts. */
 static void watch(javino_board *b)
 {
     struct javino_rules *r = b->rules;

@@ -1,4 +1,4 @@
-"""A board on a line. It answers requests for percepts and carries out actions, in versions 1 and 2 of the protocol."""
+"""A board on a line. The board answers requests for percepts and carries out actions, in versions 1 and 2 of the protocol."""
 from . import frames
 from .clock import ticks_diff, ticks_ms
 from .items import MAX_SHAPES, Shapes
@@ -177,8 +177,8 @@ class Board:
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers a function for a lost link: it is called once if nothing valid has arrived for `ms` milliseconds. It is called
-        again only after something valid has arrived. With 0 ms it is never called."""
+        """Registers a function for a lost link. The board calls the function once if nothing valid has arrived for `ms` milliseconds.
+        The board calls it again only after something valid has arrived. With 0 ms, the board never calls the function."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
@@ -472,7 +472,7 @@ class Board:
     # ---- frames from the receiver ----
 
     def take1(self, payload):
-        """Handles a message of version 1. Its sender has no session, so an earlier program's session ends."""
+        """Handles a message of version 1. The sender has no session, so an earlier program's session ends."""
         self._note_valid()
         if self._session:
             self._begin(0)

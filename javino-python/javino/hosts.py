@@ -146,7 +146,7 @@ class PseudoTerminal(Descriptor):
 
 
 class Listener:
-    """A line that listens for computers. It serves the computer that connected last."""
+    """A line that listens for computers. The line serves the computer that connected last."""
 
     credit = _CREDIT
 

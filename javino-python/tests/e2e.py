@@ -22,7 +22,7 @@ DAMAGED_SECONDS = 3
 
 
 class Board:
-    """The test's board as a process. It uses standard input and output, or its own pseudo-terminal."""
+    """The test's board as a process. The process uses standard input and output, or its own pseudo-terminal."""
 
     def __init__(self, python, own_terminal=False):
         command = [python, str(HERE / "boards" / "echo.py"), str(HERE.parent)]

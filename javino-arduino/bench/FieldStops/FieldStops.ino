@@ -1,5 +1,5 @@
-// The robot of the stop measurements, with the original version 1 library. Its percepts, actions and pins are those of the sketch Stops.
-// Compiled with BAUD and LOOP_MS.
+// The robot of the stop measurements, with the original version 1 library. This sketch has the percepts, actions and pins of the sketch
+// Stops. Compiled with BAUD and LOOP_MS.
 #include "field.h"
 
 const uint8_t DRIVES = 8;

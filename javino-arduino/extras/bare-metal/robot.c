@@ -1,10 +1,10 @@
 /**
- * @file examples/Robot4WD without Arduino and without lamps, in C on the core. It runs on every machine that has a machine.c.
+ * @file examples/Robot4WD without Arduino and without lamps, in C on the core. The program runs on every machine that has a machine.c.
  *
  *   actions   front  back  left  right  stop  speed(0..255)
  *   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023
  *
- * The robot stops after a second without a message from the computer. It watches critical rules from the computer.
+ * The robot stops after a second without a message from the computer. The robot watches critical rules from the computer.
  */
 #include <string.h>
 

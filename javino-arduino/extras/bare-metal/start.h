@@ -16,7 +16,7 @@ void machine_tick(void);
 /** Halts the machine. Exceptions end here. */
 void machine_halt(void);
 
-/** Sets up the memory, calls constructors, and calls main. This is the first C function. It needs a stack. */
+/** The first C function. Sets up the memory, calls constructors, and calls main. The caller must have set up a stack. */
 void machine_reset(void);
 
 #endif

@@ -54,7 +54,8 @@ extern uint32_t stack_top[];
 typedef void (*function)(void);
 
 /*
- * The table that the processor reads at address 0. It holds the stack, the first function, and a function for each exception and interrupt.
+ * The table that the processor reads at address 0. The table holds the stack, the first function, and a function for each exception and
+ * interrupt.
  */
 typedef struct {
     uint32_t *stack;

@@ -47,7 +47,7 @@ class Line:
         self.version1.anywhere = not self.session
 
     def _again(self, rest):
-        """Takes bytes that version 1 did not use. They begin with a frame of version 2."""
+        """Takes bytes that version 1 did not use. The bytes begin with a frame of version 2."""
         if rest:
             self._put2(rest[0])
         for byte in rest[1:]:

@@ -3,15 +3,16 @@
  *
  *   n             a new board
  *   N             a new board that holds rules
- *   w MS          nothing arrives for so long
+ *   w MS          nothing arrives for MS milliseconds
  *   b HEX         bytes arrive
  *   p HEX ...     the sensors show these percepts, each without its ;
  *   u             the percepts are sent unasked
  *   r 0|1         the outcome of the newest action that is open
- *   l             the board looks whether rules are met
+ *   l             the board compares the percepts with its rules
  *
- * It writes "> HEX" for bytes that the board sends, "! HEX" for a command that it carries out, and "." behind each operation. The program
- * refuses commands that begin with no or the byte 01, and speed without arguments; the outcome of one that begins with later is open.
+ * The program writes "> HEX" for bytes from the board, "! HEX" for a command that the board carries out, and "." after each operation. The
+ * board refuses speed without arguments, and commands that begin with "no" or with the byte 01. A command that begins with "later" keeps
+ * its outcome open.
  */
 #include <stdio.h>
 #include <stdlib.h>

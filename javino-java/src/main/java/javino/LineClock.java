@@ -13,7 +13,7 @@ public interface LineClock {
 
     /**
      * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds the
-     * condition's lock. A clock other than the machine's overrides this method.
+     * condition's lock. Every other clock than that of the machine overrides this method.
      *
      * @throws InterruptedException if the thread is interrupted
      */

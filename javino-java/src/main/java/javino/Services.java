@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Finds services with two class loaders: that of the calling thread and that of this library. In a Jason project the two may differ. A
- * service that cannot be loaded is reported once.
+ * Finds services with two class loaders: that of the calling thread and that of this library. In a Jason project, the thread and the
+ * library may have different class loaders. A service that cannot be loaded is reported once.
  */
 public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());

@@ -7,8 +7,8 @@ package argo.filters
  *
  * @property rule the rule that the percepts meet; it has no rate
  * @property reflex the command that ARGO sends for an urgent percept before the agent reasons; null: no command. A reflex has 1 to
- *     [MAX_REFLEX_LENGTH] characters up to U+00FF. It must not contain control characters, blanks at its ends, or `fffe` before two
- *     hexadecimal digits. It must not be the request `getPercepts`, with or without arguments.
+ *     [MAX_REFLEX_LENGTH] characters up to U+00FF. A reflex must not contain control characters, blanks at its ends, or `fffe` before two
+ *     hexadecimal digits. A reflex must not be the request `getPercepts`, with or without arguments.
  * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: the rule tests the received percept, without
  *     delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent

@@ -28,7 +28,8 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
 }
 
 /**
- * Thrown if a filter's text is refused. The message lists all [problems], one a line, in the order of the text. It shortens long values.
+ * Thrown if a filter's text is refused. The message lists all [problems], one a line, in the order of the text. The message shortens long
+ * values.
  *
  * @throws IllegalArgumentException if [problems] is empty
  */

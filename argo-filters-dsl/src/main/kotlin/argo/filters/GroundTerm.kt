@@ -10,7 +10,7 @@ sealed interface GroundTerm {
 
     /** A number. Jason's numbers are doubles. */
     class Number(value: Double) : GroundTerm {
-        /** The number. It is never NaN. It is never negative zero, because Jason treats negative zero as zero. */
+        /** The number, never NaN. The number is never negative zero, because Jason treats negative zero as zero. */
         val value: Double = value + 0.0
 
         init {

@@ -2,8 +2,8 @@ package argo.filters
 
 /**
  * A rule for percepts of noisy sensors. The rule replaces a percept by one of the sensor's last percepts: the newest credible one, or the
- * middle one. A smoothing rule drops nothing. The filter's other rules then decide about the selected percept. Critical rules do so only
- * if they are [smoothed][CriticalRule.smoothed].
+ * middle one. A smoothing rule drops nothing. The filter's other rules then decide about the selected percept. Critical rules decide
+ * about the selected percept only if they are [smoothed][CriticalRule.smoothed].
  *
  * Percepts that differ only in [argument] come from one sensor. If argument 1 is smoothed, `dist(f,30)` and `dist(f,31)` come from one
  * sensor, and `dist(b,30)` from another. A percept without a number in [argument] is not replaced. The rule applies [maxRate] first, then
@@ -11,7 +11,7 @@ package argo.filters
  *
  * Only an [argo.filters.matching.FilterSession] smooths, because only a session knows the time and the earlier percepts.
  *
- * @property rule the rule that the percepts meet. It has no rate, and no condition with a [second limit][Condition.Argument.until]
+ * @property rule the rule that the percepts meet. The rule has no rate, and no condition with a [second limit][Condition.Argument.until]
  * @property argument the position of the smoothed number, counted from 0
  * @property maxRate the most by which the number can change in a second; null: no limit. A percept is not credible if its number differs
  *     more from that of the last credible percept. Three such percepts in a row confirm each other if each can follow the previous one:

@@ -6,7 +6,7 @@ package argo.filters
 
 import kotlin.time.Duration
 
-/** A rule under construction, on a declared percept type. It is the context parameter of the functions in this file. */
+/** A rule under construction, on a declared percept type. The functions in this file have this rule as their context parameter. */
 open class TypedRule internal constructor(internal val type: PerceptType, internal val conditions: RuleConditions)
 
 /** A critical rule under construction, on a declared percept type. */

@@ -8,7 +8,7 @@ import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import org.jetbrains.kotlin.cli.common.ExitCode
 
-/** Correct statements. They must compile, else the test of incorrect statements proves nothing. */
+/** Correct statements, which must compile. Else the test of incorrect statements proves nothing. */
 private val SENSE = listOf(
     "typed conditions" to
         """dropFilter("x") { drop(Distance) { side ne "front"; cm gt 200; label matches "a.*"; """ +

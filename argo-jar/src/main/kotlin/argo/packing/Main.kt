@@ -5,8 +5,8 @@ import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /**
- * Packages that keep their names. These are ARGO's own packages, Kotlin's standard library, jSerialComm and JGroups. The native libraries
- * of jSerialComm contain its class names. The tables of JGroups contain its class names.
+ * Packages that keep their names: ARGO's own packages, Kotlin's standard library, jSerialComm and JGroups. The native libraries of
+ * jSerialComm contain its class names. The tables of JGroups contain its class names.
  */
 internal val OWN_NAMES =
     listOf(

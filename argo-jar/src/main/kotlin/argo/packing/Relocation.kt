@@ -18,7 +18,9 @@ class Relocation(sources: List<Source>, own: List<String>, private val into: Str
     /** Returns the new name of the class [name]. Both are internal names, such as `java/lang/String`. */
     fun of(name: String): String = if (name in relocated) into + name else name
 
-    /** Returns true if all classes of [source] get new names. Its files in `META-INF` for compilers and shrinkers are then wrong. */
+    /**
+     * Returns true if all classes of [source] get new names. The source's files in `META-INF` for compilers and shrinkers are then wrong.
+     */
     fun isWhole(source: Source): Boolean = source.classes.isNotEmpty() && relocated.containsAll(source.classes)
 
     /** Returns the class file [bytes] with the new names. Returns [bytes] itself if no name in it changes. */

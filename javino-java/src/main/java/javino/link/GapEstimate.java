@@ -5,9 +5,9 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Estimates the gap that a version 1 board needs between frames: the time between two of its reads of the line. The delay of an answer
- * has two parts. The first part is the time until the board's next read. It varies at random within one {@code loop()}. The second part
- * is the time to measure and to build the answer. It is about constant. The differences between delays therefore show how long the loop
- * takes.
+ * has two parts. The first part is the time until the board's next read. This time varies at random within one {@code loop()}. The second
+ * part is the time to measure and to build the answer. This time is about constant. The differences between delays therefore show how
+ * long the loop takes.
  * <p>The estimate is the range of the last {@value #SAMPLES} delays times a factor of at least 2. With few delays their range may be much
  * shorter than the loop, so the factor is larger. The range of n random delays is less than the part x of the loop with a probability
  * below n x^(n-1). Without the longest delay, this probability is below n (n-1) x^(n-2). The factor is 1/x for the x at which this
@@ -16,12 +16,12 @@ import java.util.concurrent.TimeUnit;
  * delay. With many delays it ignores one in {@value #OUTLIER_AMONG} at each end. One stall of this computer therefore does not slow
  * commands down.
  * <p>Requests at a constant time after the last answer would all meet one part of the loop. Some requests are therefore delayed on
- * purpose: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. These delays are spread evenly over the
- * longest delay seen. Times are nanoseconds. Guarded by its user's lock.
+ * purpose: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. The delays on purpose are spread evenly over
+ * the longest delay of an answer. Times are nanoseconds. Guarded by its user's lock.
  */
 final class GapEstimate {
     static final int SAMPLES = 256;
-    /** The longest estimate. Also the estimate while too few delays are known. The sensors of many sketches take that long. */
+    /** The longest estimate. Also the estimate while too few delays are known. In many sketches, the sensors take up to 50 ms. */
     static final int MAX_MILLIS = 50;
     /**
      * The number of delays that an estimate needs. Over USB a delay is a whole number of milliseconds, so a few delays may be equal by

@@ -37,7 +37,7 @@ final class Inbox {
     private static final int BUFFER = 1024;
     /** The most messages that are kept. Older messages are dropped, since nobody may take a board's messages. */
     static final int MAX_MESSAGES = 64;
-    /** The most reads in a row. This empties any driver, and ends on a line that never rests. */
+    /** The most reads in a row: enough to empty any driver. The limit ends the reads on a line that is never silent. */
     private static final int READS = 64;
 
     private final Monitor monitor;

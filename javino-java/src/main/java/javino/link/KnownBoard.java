@@ -45,7 +45,7 @@ final class KnownBoard {
         isReady = true;
     }
 
-    /** Records a message of version 1: the board runs. */
+    /** Records that a message of version 1 has come, so the board runs. */
     void heard() {
         hasHeard = true;
         isReady = true;

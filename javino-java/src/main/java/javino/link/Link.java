@@ -216,8 +216,8 @@ public final class Link implements AutoCloseable {
 
     /**
      * Sends a request and returns its answer. Drops messages that came before the request, because they answer earlier requests. If an
-     * answer does not come in time, the next request first waits for a silence of the line. It then returns the last message before that
-     * silence.
+     * answer does not come in time, the next request first waits for a silence of the line. The next request then returns the last
+     * message before the silence.
      *
      * @param timeoutMillis milliseconds, at least 1, to wait at most for other frames on the line. The board gets this time again for its
      *     answer, counted from the request's last byte. After a missed answer, the wait for silence takes at most this time again. The
@@ -264,8 +264,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands submitted so far have ended. Version 2 sends both ways at once, so there the wait
-     * ends when the commands have begun.
+     * Waits at most {@code nanos} until the commands submitted so far have ended. In version 2, the wait ends when the commands have
+     * begun, because both directions send at once.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -281,8 +281,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends a message other than a request for percepts to a version 2 board. The message is a command there. The board's next message is
-     * its answer.
+     * Sends a message other than a request for percepts to a version 2 board. Version 2 treats the message as a command. The board's next
+     * message is the answer to the command.
      */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.session().takeHeard(); // drops earlier messages

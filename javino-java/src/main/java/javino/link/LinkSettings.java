@@ -12,8 +12,8 @@ import javino.Protocol;
  * @param paced true: the driver gets a frame only when the previous frame has left the line, by the baud rate. An urgent command then
  *     never waits for seconds behind old commands. False: the driver gets each frame at once
  * @param spacingMillis the shortest gap, in milliseconds, before a frame to a version 1 board. The gap begins after the previous frame or
- *     answer. It is 50 ms until six answers have been timed. If answers show a slow {@code loop()}, it is longer than this setting. 0: no
- *     gap, for a board that keeps all messages
+ *     answer. The gap is 50 ms until six answers have been timed. If answers show a slow {@code loop()}, the gap is longer than this
+ *     setting. 0: no gap, for a board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; most version 1 boards hold one
  * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs already
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1

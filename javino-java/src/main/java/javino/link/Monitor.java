@@ -11,7 +11,7 @@ import javino.PortInterruptedException;
 
 /**
  * A lock under which threads wait for conditions, by a line's clock. A thread that releases the lock checks the conditions of the waiting
- * threads. It wakes only threads whose condition is true: a needless wake-up costs more than a check.
+ * threads. The thread wakes only threads whose condition is true: a needless wake-up costs more than a check.
  */
 final class Monitor {
     static final long FOREVER = Long.MAX_VALUE / 4;

@@ -13,9 +13,9 @@ import java.util.concurrent.TimeUnit;
  *   <li>A frame starts one gap after the end of the previous frame or answer. The gap is at least that of the settings. Unless the
  *       settings say 0, it is also at least the {@link GapEstimate}. Exception: the answer to the only open request shows that the board
  *       has handled all messages, if no action was written after the request. The first action after this answer starts at once.
- *   <li>While the board may be busy with an answer, the pacer limits the actions to the number that the board can hold. It limits their
- *       bytes to the receive buffer of an AVR. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of silence within the
- *       answer, or {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request.
+ *   <li>While the board may be busy with an answer, the pacer limits the actions to the number that the board can hold. The pacer limits
+ *       the bytes of the actions to the receive buffer of an AVR. The busy time ends with the answer, after {@value #QUIET_MILLIS} ms of
+ *       silence within the answer, or {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request.
  *   <li>If a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
  * </ul>
  * Version 2 boards announce how much they can receive, so only the pace limits them. An unpaced line has neither limit. Times are
@@ -25,10 +25,12 @@ final class Pacer {
     static final int QUIET_MILLIS = 50;
     /** A board begins its answer within this time: 50 ms for its loop, and 50 ms for its sensors, with a reserve. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
-    /** Bytes that an AVR can hold unread. Its buffer has 64 bytes. A few stay free for bytes that are being received. */
+    /**
+     * Bytes that an AVR can hold unread. The AVR's buffer has 64 bytes. The limit leaves 4 bytes free for bytes that are being received.
+     */
     static final int RECEIVE_BUFFER = 60;
 
-    /** The number of late answers in a row that prove a slow board. This computer may cause one or two. */
+    /** The number of late answers in a row that prove a slow board. This computer may cause one or two late answers. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);

@@ -3,7 +3,7 @@ package javino.link;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes since the last message. They form no message, and help a person to find out why a board seems silent.
+ * The bytes since the last message. Stray bytes form no message. They help a person to find out why a board seems silent.
  *
  * @param count number of the bytes
  * @param first the first of the bytes, at most {@link #MAX_FIRST}, one character a byte

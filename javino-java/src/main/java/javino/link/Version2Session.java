@@ -136,7 +136,6 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether any frame is awaited besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }

@@ -15,8 +15,8 @@ import javino.wire.WireFrame;
 /**
  * The computer's end of a line of version 2. The caller passes arriving frames to the session. Whenever the line is free, the caller asks
  * for the next frame to write. The order is: repetitions, a request for percepts, commands, a request for the board's vocabulary.
- * <p>A new session is closed and sends nothing. It opens when {@link #open} is called, or when the board answers a {@link #hello}. If a
- * session ends, another begins, until {@link #close} or until the board falls silent. Not thread-safe.
+ * <p>A new session is closed and sends nothing. A session opens when {@link #open} is called, or when the board answers a {@link #hello}.
+ * If a session ends, another begins, until {@link #close} or until the board falls silent. Not thread-safe.
  * @param <C> the type of the commands
  */
 public final class ComputerSession<C extends SessionCommand> {
@@ -78,7 +78,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests = new Requests(byteNanos);
     }
 
-    /** Returns the session's nonce, which is part of the checksum of its frames. Returns 0 if there is no session. */
+    /** Returns the session's nonce. The checksums of the session's frames contain the nonce. Returns 0 if there is no session. */
     public int nonce() {
         return state == State.OPEN ? nonce : 0;
     }
@@ -88,7 +88,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN;
     }
 
-    /** Returns whether any frame is awaited besides answers to requests. */
+    /** Returns whether the session expects a frame. Answers to requests do not count. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
@@ -123,7 +123,7 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. This frame ends the board's session, so another session must follow. */
+    /** Records that a frame of version 1 goes out. A frame of version 1 ends the board's session, so another session must follow. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;

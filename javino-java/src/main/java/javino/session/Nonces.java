@@ -8,8 +8,8 @@ import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /**
- * Chooses the nonces of sessions. HELLO with such a nonce needs no escape. It also contains no {@code f}, because {@code f} begins frames
- * of version 1.
+ * Chooses the nonces of sessions. HELLO with a chosen nonce needs no escape. HELLO with a chosen nonce contains no {@code f}, because
+ * {@code f} begins frames of version 1.
  */
 final class Nonces {
     private static final List<Integer> USABLE =

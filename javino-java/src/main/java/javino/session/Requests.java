@@ -112,7 +112,7 @@ final class Requests {
         lastByteAt = now;
     }
 
-    /** Records that a damaged frame has arrived. It may be the answer. */
+    /** Records that a damaged frame has arrived. The damaged frame may be the answer. */
     void damaged() {
         isDamaged |= isOut;
     }

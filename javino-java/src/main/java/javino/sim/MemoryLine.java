@@ -17,8 +17,8 @@ import javino.Transport;
  * <p>On an unlimited line, bytes arrive at once. On a paced line, each byte takes its time at the line's rate. The directions are
  * independent. The line holds {@value #CAPACITY} unread bytes in each direction. A further write waits.
  *
- * <p>If one end is closed, the other end can still read the bytes that are on their way. Then the line is gone for both ends. If the line
- * is unplugged, it is gone at once for both ends. All methods are safe on any thread.
+ * <p>If one end is closed, the other end can still read the bytes that are on their way. After these bytes, the line is gone for both
+ * ends. If the line is unplugged, the line is gone at once for both ends. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** The most unread bytes that the line holds in each direction. */

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeoutException;
 
 /**
  * Finds the addresses of a host, with a time limit. The system's lookup has no limit, cannot be interrupted, and may take a minute
- * without a network. It therefore runs on its own thread. All callers that wait for a host share one lookup.
+ * without a network. The lookup therefore runs on its own thread. All callers that wait for a host share one lookup.
  */
 final class HostLookup {
     private static final ConcurrentMap<String, Future<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();

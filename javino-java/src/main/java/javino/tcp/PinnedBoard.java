@@ -17,7 +17,8 @@ import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
  * Trusts a board only if it shows the certificate that the folder has for it. Ignores the certificate's issuer and name. If the folder
- * has none, trusts the certificate that the board shows, and {@link #pin} stores it. The messages of exceptions are for a person.
+ * has no certificate of the board, trusts the certificate that the board shows. {@link #pin} then stores this certificate. The messages
+ * of exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private static final System.Logger LOG = System.getLogger(PinnedBoard.class.getName());

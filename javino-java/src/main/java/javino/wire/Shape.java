@@ -6,7 +6,8 @@ import java.util.List;
 /**
  * A percept's text without its digits: the pieces between the runs of digits. All values of one sensor usually have one shape.
  *
- * @param pieces the texts before, between and after the runs of the digits 0 to 9; each may be empty. There is one piece more than runs
+ * @param pieces the texts before, between and after the runs of the digits 0 to 9; each may be empty. The number of pieces is the number
+ *     of runs plus 1
  */
 public record Shape(List<String> pieces) {
     public Shape {

@@ -19,7 +19,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /** Number of bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    /** The byte that begins a frame. It appears nowhere else in a frame. */
+    /** The byte that begins a frame. This byte appears nowhere else in a frame. */
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;

@@ -4,10 +4,10 @@ import javino.Frame
 import javino.FrameDecoder
 
 /**
- * A model of a board with the original library of version 1, with a clock of its own. It has a receive buffer of 63 bytes. Its `loop()`
- * handles a message, waits while an answer goes out, and then does something else. Between two loops it reads all bytes that have
- * arrived, with room for one message. The first byte of the next frame empties the message. The sketch then finds no handler and calls a
- * null pointer. From the fifth byte on the message is forgotten.
+ * A model of a board with the original library of version 1, with a clock of its own. The board has a receive buffer of 63 bytes. The
+ * board's `loop()` handles a message, waits while an answer goes out, and then does other work. Between two loops it reads all bytes that
+ * have arrived, with room for one message. The first byte of the next frame empties the message. The sketch then finds no handler and
+ * calls a null pointer. From the fifth byte on the message is forgotten.
  *
  * @param buildNanos time to build an answer, between the read that finds the request and the first byte
  * @param startNanos time of a restart

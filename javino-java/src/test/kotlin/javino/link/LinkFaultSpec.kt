@@ -42,9 +42,9 @@ private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back
 }
 
 /**
- * The number of damaged frames that a 16-bit checksum cannot detect. It misses one in 65,536 frames with four or more wrong bits, because
- * four is the distance of this code. It also misses one in 65,536 frames with a damaged length field, because the receiver then reads the
- * checksum at a wrong place.
+ * The number of damaged frames that a 16-bit checksum cannot detect. The checksum misses one in 65,536 frames with four or more wrong
+ * bits, because the distance of its code is four. The checksum also misses one in 65,536 frames with a damaged length field. The receiver
+ * reads the checksum of such a frame at a wrong place.
  */
 private fun missed(rate: Double, frames: Double, bytes: Int): Double {
     val bits = 8 * bytes

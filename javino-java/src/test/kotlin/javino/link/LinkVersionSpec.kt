@@ -38,7 +38,9 @@ private const val REQUEST = "getPercepts"
 
 private fun bench(board: LineEnd, settings: LinkSettings = LinkSettings.defaults()) = VirtualBench(settings, board, Protocol.AUTO)
 
-/** A version 1 board that forgets a frame after a stray f. It also forgets a frame that is incomplete 300 ms after its first byte. */
+/**
+ * A version 1 board that forgets a frame after a stray f. The board also forgets a frame that is incomplete 300 ms after its first byte.
+ */
 private class FieldBoard(private val startsAt: Double = 0.0) : LineEnd {
     val received = mutableListOf<String>()
     private var bytes = ""
@@ -68,7 +70,7 @@ private class FieldBoard(private val startsAt: Double = 0.0) : LineEnd {
     }
 }
 
-/** A board with a receive buffer and a slow loop. It announces when it is ready. */
+/** A board with a receive buffer and a slow loop. The board announces when it is ready. */
 private class BusyBoard(val model: FieldBoardModel) : LineEnd {
     private var ready = false
     private var unsent = ArrayDeque<Byte>()

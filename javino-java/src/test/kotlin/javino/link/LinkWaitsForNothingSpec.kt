@@ -54,7 +54,7 @@ private class NotedWrites(private val line: Transport) : Transport by line {
     }
 }
 
-/** A far end that answers as a board until it is [deaf]. Then it reads nothing and constantly sends unasked messages. */
+/** A far end that answers as a board until it is [deaf]. A deaf board reads nothing and constantly sends unasked messages. */
 private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCloseable {
     private val session = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce -> say(frame.toBytes(nonce)) }
     private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::nonce, session::receive)

@@ -15,7 +15,7 @@ import javino.virtual.LineEnd
 
 private const val COMMANDS = 100
 
-/** A board that reads and acts once in [loopMillis]. It answers while [answers] returns true. */
+/** A board that reads and acts once in [loopMillis]. The board answers while [answers] returns true. */
 private class SlowBoard(private val loopMillis: Double, private val answers: (Double) -> Boolean) : LineEnd {
     val commands = mutableListOf<String>()
     private val buffer = ArrayDeque<Byte>()

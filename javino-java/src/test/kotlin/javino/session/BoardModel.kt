@@ -9,7 +9,7 @@ import javino.wire.Welcome
 import javino.wire.WireFrame
 
 /**
- * A minimal model of the board's end of version 2, after docs/protocol.md. It answers each frame at once.
+ * A minimal model of the board's end of version 2, after docs/protocol.md. The model answers each frame at once.
  *
  * @param percepts returns the answer to a request with these functors
  * @param actions the vocabulary

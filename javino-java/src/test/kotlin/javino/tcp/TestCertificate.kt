@@ -15,8 +15,8 @@ import java.util.HexFormat
 import kotlin.io.path.writeText
 
 /**
- * A self-signed certificate, valid for [days] days. The validity begins [startDays] days from now. It is made in this process, because a
- * process of `keytool` takes a busy machine too long.
+ * A self-signed certificate, valid for [days] days. The validity begins [startDays] days from now. This process makes the certificate,
+ * because `keytool` takes too long on a busy machine.
  */
 internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 30, algorithm: String = "EC") {
     private val keys = KeyPairGenerator.getInstance(algorithm).apply { initialize(if (algorithm == "EC") 256 else 2048) }.generateKeyPair()

@@ -11,8 +11,8 @@ import javino.wire.FrameKind
 import javino.wire.WireFrame
 
 /**
- * A simulated board in virtual time. It answers each request in the request's version. It refuses commands that begin with `bad`, and
- * takes longer for commands that begin with `walk`.
+ * A simulated board in virtual time. The board answers each request in the request's version. The board refuses commands that begin with
+ * `bad`, and takes longer for commands that begin with `walk`.
  *
  * @param startsAt the time in ms before which arriving bytes are lost
  * @param damage damages bytes on the line, in either direction

@@ -9,7 +9,7 @@ import javino.link.LinkSettings
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
-/** Bytes that arrive together. They arrive [lateNanos] later than the line's rate requires. */
+/** Bytes that arrive together, [lateNanos] later than the line's rate requires. */
 internal class Piece(val bytes: ByteArray, val lateNanos: Long = 0)
 
 /** Faults of one direction of a line, for the bytes of one write. */
@@ -67,7 +67,7 @@ internal class EventLine(
 
     override fun close() = link.close()
 
-    /** Ends the waiting read. Its thread, the only one, then writes the queued commands. */
+    /** Ends the waiting read. The only thread then writes the queued commands. */
     fun wake() {
         isWoken = true
     }

@@ -29,8 +29,8 @@ internal interface TimedSketch {
 }
 
 /**
- * A board of version 2 whose sketch calls the library once in each run of its `loop()`. A call handles up to eight messages. It reads the
- * sensors of rules at most every 5 ms. Parts of an answer go out when the line is free. A write waits for room in the port's buffer.
+ * A board of version 2 whose sketch calls the library once in each run of its `loop()`. A call handles up to eight messages. A call reads
+ * the sensors of rules at most every 5 ms. Parts of an answer go out when the line is free. A write waits for room in the port's buffer.
  */
 internal class LoopBoard(
     private val times: BoardTimes, private val byteNanos: Long, private val random: Random, private val sketch: TimedSketch,

@@ -23,7 +23,7 @@ internal class RandomFaults(
     private val random = SplittableRandom(seed)
     private val wrongByte = 1 - (1 - bitErrors).pow(8)
 
-    /** True if the last bytes arrived undamaged. They may be late. */
+    /** True if the last bytes arrived undamaged, in time or late. */
     var intact = true
         private set
 

@@ -14,8 +14,8 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document. Its XML declaration or byte-order mark (UTF-8 or UTF-16) determines the encoding. The default is
-     *     UTF-8. [read] does not close it.
+     * @param input the XML document. The document's XML declaration or byte-order mark (UTF-8 or UTF-16) determines the encoding. The
+     *     default is UTF-8. [read] does not close it.
      * @param source the file or other source of the document, for messages
      * @param name the filter's name, by default the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text

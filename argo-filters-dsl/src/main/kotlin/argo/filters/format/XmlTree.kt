@@ -40,8 +40,8 @@ internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFact
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports only the end of a tag. This class therefore searches for the tag's beginning in [document]. It refuses a
- * document type declaration at once. The parser then never expands or fetches an entity.
+ * The JDK's parser reports only the end of a tag. This class therefore searches for the tag's beginning in [document]. This class refuses
+ * a document type declaration at once, so the parser never expands or fetches an entity.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)

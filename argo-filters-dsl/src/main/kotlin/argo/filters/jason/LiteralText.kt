@@ -28,8 +28,8 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { pe
 /**
  * Returns the text of [percept] in the form that boards send, for filters. Never throws.
  *
- * Unlike `toString`, this function escapes quotes and line breaks in strings. It writes a variable in place of a term that is nested too
- * deep for filters.
+ * Unlike `toString`, this function escapes quotes and line breaks in strings. If a term is nested too deep for filters, this function
+ * writes a variable in place of the term.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 

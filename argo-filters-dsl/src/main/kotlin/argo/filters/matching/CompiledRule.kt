@@ -41,8 +41,8 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     }
 
     /**
-     * Returns true if the percept in [text] meets all conditions. Its functor ends at [functorEnd], and [tail] follows. [latches] know
-     * which conditions with two limits held for the last message, and record which hold now. Null: none held.
+     * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] follows.
+     * [latches] know which conditions with two limits held for the last message, and record which hold now. Null: none held.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
         if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // latches must see each one
@@ -70,7 +70,7 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept in [text] meets the condition. Its functor ends at [functorEnd], and [tail] follows. */
+    /** Returns true if the percept in [text] meets the condition. The percept's functor ends at [functorEnd], and [tail] follows. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false

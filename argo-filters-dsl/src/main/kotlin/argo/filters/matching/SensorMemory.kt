@@ -1,11 +1,11 @@
 package argo.filters.matching
 
 /**
- * A filter's memory. It has a value for each sensor of each owner. An owner is a rule or a condition. Each owner has its own names for
- * sensors.
+ * A filter's memory. The memory has a value for each sensor of each owner. An owner is a rule or a condition. Each owner has its own
+ * names for sensors.
  *
- * If a board has more than [CAPACITY] sensors, the memory forgets the sensors whose last look-up is longest ago. It has no room for
- * percepts longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not thread-safe.
+ * If a board has more than [CAPACITY] sensors, the memory forgets the sensors whose last look-up is longest ago. The memory has no room
+ * for percepts longer than [MAX_LENGTH] characters ([isRoomFor]). A look-up allocates nothing. Not thread-safe.
  */
 internal class SensorMemory<V : Any> {
     private val probe = SensorKey()
