@@ -115,8 +115,8 @@ void *javino_board_take(javino_board *board, uint16_t size);
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
- * Like javino_link_poll. Ends an answer if a part of it has gone out. Forgets any other unsent answer. Unsent unasked percepts join the
- * next answer. If they do not fit, they are forgotten.
+ * Like javino_link_poll. If a part of an answer has gone out, ends the answer. Forgets any other unsent answer. Unsent unasked percepts
+ * join the next answer. Unsent unasked percepts that do not fit are forgotten.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 

@@ -32,7 +32,7 @@ enum {
 };
 typedef uint8_t javino_event;
 
-/** An action of a program. The computer may call it by number. The program may store more data after each javino_action. */
+/** An action of a program. The computer may call an action by number. The program may store more data after each javino_action. */
 typedef struct {
     const char *name;  /**< The action's functor, at most JAVINO_NAME_MAX bytes. The name must stay valid. */
     uint8_t arguments; /**< Number of arguments, or JAVINO_ANY. */
@@ -68,7 +68,7 @@ typedef struct {
     bool drained; /* whether the last poll has read all bytes */
     bool heard;   /* whether a valid frame has come since the last javino_link_lost */
     bool lost;
-    uint8_t frames; /**< Number of intact frames, modulo 256. The caller may read it. */
+    uint8_t frames; /**< Number of intact frames, modulo 256. The caller may read this number. */
 #ifndef JAVINO_VERSION_1_ONLY
     uint8_t session;    /**< The session's nonce; 0: no session, so version 1. The payload of WELCOME is this member and the next five. */
     uint8_t credit;
@@ -76,7 +76,7 @@ typedef struct {
     uint8_t rules_max;  /* number of rules that the board can hold */
     uint8_t revision;
 #endif
-    uint8_t actions_lost; /**< Number of actions that were left out, at most 255. WELCOME reports it. */
+    uint8_t actions_lost; /**< Number of actions that were left out, at most 255. WELCOME reports this number. */
 #ifndef JAVINO_VERSION_1_ONLY
     javino_later later; /* the newest action with a later outcome */
     uint8_t request;    /* number of the present request; 0: none, or answered */
@@ -136,7 +136,7 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
-/** Ends the present message, if there is one. done: whether its command was carried out. In version 2 the computer learns this. */
+/** Ends the present message, if there is one. done: whether its command was carried out. In version 2 the computer learns `done`. */
 void javino_link_finish(javino_link *link, bool done);
 
 /**

@@ -12,8 +12,8 @@ class Decoder:
     """A receiver of version 1.
 
     `other` is the byte that begins frames of version 2, or None if only version 1 uses the line. If `anywhere` is true, a frame may
-    begin at any byte. Otherwise a frame may begin only after a silence, which sets `quiet`. Messages go to `deliver`. Without it,
-    `messages` keeps them.
+    begin at any byte. Otherwise a frame may begin only after a silence, which sets `quiet`. Messages go to `deliver`. If `deliver`
+    is None, `messages` keeps the messages.
     """
 
     def __init__(self, timeout=100, other=None, deliver=None):

@@ -3,7 +3,7 @@
 
     robot_pi.py [LINE]      /dev/serial0, or tcp://0.0.0.0:4000
 
-The agent may set critical rules, such as "stop when dist(front,_) is less than 20". This program watches them.
+The agent may set critical rules, such as "stop when dist(front,_) is less than 20". This program watches the critical rules.
 """
 import sys
 

@@ -249,7 +249,7 @@ class Board:
         self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
 
     def _send_as_fits(self, request, texts, write, words):
-        """Sends the answer that `write` makes from these texts. If they are too many for one answer, sends only the first texts and
+        """Sends the answer that `write` makes from these texts. If one answer cannot hold all texts, sends only the first texts and
         warns."""
         limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
         answer = write(texts)

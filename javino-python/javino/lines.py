@@ -30,7 +30,7 @@ def open_line(line, baud=None):
 
 
 def _wait(is_ready, ms):
-    """Waits at most `ms` milliseconds until `is_ready` returns true. Calls it every millisecond."""
+    """Waits at most `ms` milliseconds until `is_ready` returns true. Calls `is_ready` every millisecond."""
     try:
         from time import sleep_ms
     except ImportError:

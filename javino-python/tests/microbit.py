@@ -108,8 +108,8 @@ def done(text):
 
 
 def exchange(board, frame=b""):
-    """Sends the frame and a request, and returns the answer. Repeats both if no answer comes: a busy machine may halt QEMU within a
-    frame."""
+    """Sends the frame and a request, and returns the answer. Repeats the frame and the request if no answer comes: a busy machine may
+    halt QEMU within a frame."""
     board.line.messages()
     for _ in range(20):
         board.line.write(frame + frame1(b"getPercepts"))

@@ -79,8 +79,8 @@ class Board:
                 self._handle(command)
 
     def _is_next(self, number):
-        """Returns true if the command with this number is carried out now. Commands before `due` were handled. Commands after it are
-        dropped."""
+        """Returns true if the command with this number is carried out now. Commands before `due` were handled. Commands after `due`
+        are dropped."""
         return number == self.due and not self.refused and not self.busy
 
     def _handle(self, command):

@@ -10,7 +10,8 @@ REVISION = 1
 
 class Session:
     """`next_nonce` makes a nonce from the last one. The session adds results to four lists: `outcomes` (command, outcome), `answers`
-    (request, texts; None if void), `critical` (payloads) and `pages` of the vocabulary. The caller takes them from there."""
+    (request, texts; None if void), `critical` (payloads) and `pages` of the vocabulary. The caller takes the results from these
+    lists."""
 
     def __init__(self, next_nonce, numbers=256, size=16, impossible=16):
         self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
@@ -77,7 +78,8 @@ class Session:
         return [self.window.repetition()] if self.window.out and (news.again or without_news) else []
 
     def _welcomed(self, frame):
-        """Takes a WELCOME. Returns true if it opens the session or changes nothing. Returns false if it ends the session."""
+        """Takes a WELCOME. Returns true if the WELCOME opens the session or changes nothing. Returns false if the WELCOME ends the
+        session."""
         nonce, revision = frame.payload[:1], (frame.payload[4:5] or b"\0")[0]
         is_own = nonce == bytes([self.nonce])
         if is_own == self.open:

@@ -118,9 +118,9 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     }
 
     /**
-     * Returns why a percept belongs to none of {@code kinds}. Returns empty if the percept belongs to one. If only one kind has the
-     * percept's functor and number of arguments, the reason tells how the percept deviates from this kind. If there are several, the
-     * reason names them.
+     * Returns why a percept belongs to none of {@code kinds}. Returns empty if the percept belongs to one of them. If only one kind has
+     * the percept's functor and number of arguments, the reason tells how the percept deviates from this kind. If several kinds have
+     * these, the reason names the kinds.
      */
     public static Optional<String> deviationOf(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
  * percepts with these functors.
  */
 public final class PerceptsRequest {
-    /** Asks for all percepts. Every board answers this request. No board treats it as an action. */
+    /** Asks for all percepts. Every board answers this request. No board treats this request as an action. */
     public static final String ALL = "getPercepts";
 
     /** Asks a board of version 2 for the kinds of its percepts. A board that cannot describe kinds takes the {@code ?} for a functor. */

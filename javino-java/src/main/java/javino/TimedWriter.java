@@ -14,8 +14,8 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has none: it waits until the far end reads. A thread of this writer
- * therefore writes while the caller waits. Safe on any thread. Each write goes out whole, in the order of the calls.
+ * Gives blocking writes a time limit. The operating system's write has no time limit: the write waits until the far end reads. A thread
+ * of this writer therefore writes while the caller waits. Safe on any thread. Each write goes out whole, in the order of the calls.
  */
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());

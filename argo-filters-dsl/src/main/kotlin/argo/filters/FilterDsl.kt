@@ -66,7 +66,7 @@ sealed class RuleList(private val mode: Mode) {
 
     /**
      * Adds a critical rule: the filter keeps percepts of [predicate] that meet all [conditions], even if other rules drop them. The agent
-     * perceives them first.
+     * perceives critical percepts before other percepts.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }

@@ -6,7 +6,7 @@ private const val FOREIGN = "\\:*?\"<>|"
 /** The name with which an agent ends the filtering. */
 const val NO_FILTER: String = "none"
 
-/** Returns why [name] cannot be the name of a filter and its file. Returns null if it can. */
+/** Returns why [name] cannot be the name of a filter and its file. Returns null if [name] is usable. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name == NO_FILTER -> "argo.change_filter($NO_FILTER) ends the filtering"

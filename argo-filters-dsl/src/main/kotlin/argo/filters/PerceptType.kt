@@ -79,18 +79,18 @@ sealed class TypedArgument<V>(
     override fun toString(): String = name
 }
 
-/** An argument that is an atom. Conditions compare it with an atom in Jason's syntax, and refuse other text. */
+/** An argument that is an atom. Conditions compare the argument with an atom in Jason's syntax, and refuse other text. */
 class AtomArgument internal constructor(type: PerceptType, index: Int, name: String) : TypedArgument<String>(type, index, name, ::atomOf)
 
 /** An argument that is a number. */
 class NumberArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<Number>(type, index, name, Number::asTerm)
 
-/** An argument that is a string. Conditions compare it with a text without quotes. */
+/** An argument that is a string. Conditions compare the argument with a text without quotes. */
 class StringArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::Text)
 
-/** An argument that is any term. Conditions compare it with a term in Jason's syntax. */
+/** An argument that is any term. Conditions compare the argument with a term in Jason's syntax. */
 class TermArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::of)
 

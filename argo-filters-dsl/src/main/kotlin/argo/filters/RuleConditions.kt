@@ -4,7 +4,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * The conditions of one rule under construction. A percept must meet all of them.
+ * The conditions of one rule under construction. A percept must meet all conditions.
  *
  * ```kotlin
  * drop("dist") { argument(0) ne "front"; argument(1) gt 200; everyMs(500) }
@@ -24,7 +24,7 @@ open class RuleConditions internal constructor() {
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** Returns the annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
+    /** Returns the annotations called [name]. At least one of these annotations must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** Requires an annotation called [name]: `hasAnnotation("urgent")`. */

@@ -58,7 +58,7 @@ internal object Syntax {
 
     fun isWordCharacter(c: Char): Boolean = c in 'a'..'z' || c in 'A'..'Z' || c in '0'..'9' || c == '_'
 
-    /** Returns true if the atom contains a dot. In Jason it then names an internal action or an arithmetic function. */
+    /** Returns true if the atom contains a dot. In Jason, an atom with a dot names an internal action or an arithmetic function. */
     fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
         text[start] != '\'' && (start until end).any { text[it] == '.' }
 

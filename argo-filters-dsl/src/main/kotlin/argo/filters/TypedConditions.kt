@@ -117,7 +117,7 @@ fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 context(rule: TypedRule)
 fun PerceptType.hasAnnotation(name: String): Unit = rule.conditions.hasAnnotation(name)
 
-/** Returns the annotations called [name]. At least one of them must meet the test: `annotation("q") lt 0.5`. */
+/** Returns the annotations called [name]. At least one of these annotations must meet the test: `annotation("q") lt 0.5`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String): AnyAnnotation = rule.conditions.annotation(name)
 

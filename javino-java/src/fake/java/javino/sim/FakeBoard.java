@@ -28,7 +28,8 @@ import javino.wire.WireFrame;
  *
  * <p>By default the board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message did not come, if
  * a message was lost (see {@link #queueSize}), or if a surprising message came. A message is surprising if no rule covers it, the test
- * does not expect it, and the test does not take it with {@code awaitMessage}. A {@linkplain #lenient lenient} board accepts all this.
+ * does not expect it, and the test does not take it with {@code awaitMessage}. A {@linkplain #lenient lenient} board accepts missing,
+ * lost and surprising messages.
  *
  * <p>By default the board starts at once, queues any number of messages, and answers {@code getPercepts} with an empty message. The line
  * has the baud rate with which the port is opened. All methods are safe on any thread. Rules may change while the board runs.
@@ -251,7 +252,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Takes the next message that no rule covers. If there is none, waits for one.
+     * Takes the next message that no rule covers. If no such message has come, waits for one.
      *
      * @param timeoutMillis milliseconds to wait at most
      * @throws AssertionError if no message came that no rule covers; the error lists all messages that came

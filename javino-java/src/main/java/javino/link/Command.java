@@ -28,7 +28,7 @@ final class Command implements SessionCommand {
         this(frame, null, options, now);
     }
 
-    /** Creates a command that changes the board's rules. Only version 2 can carry it. */
+    /** Creates a command that changes the board's rules. Only version 2 can carry this command. */
     Command(CommandItem.Rule rule, SendOptions options, long now) {
         this(Frame.of("rule " + (int) rule.text().charAt(0)), rule, options, now);
     }

@@ -52,7 +52,7 @@ final class CommandLoop {
         this.start = start;
     }
 
-    /** Queues a command. Writes it at once if no wait is needed; see {@link Link#send(String, SendOptions)}. */
+    /** Queues a command. Writes the command at once if no wait is needed; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
         return submit(new Command(frame, options, clock.nanos()), options);
     }

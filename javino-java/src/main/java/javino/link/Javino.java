@@ -67,7 +67,7 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> data = link(port).listen(timeoutMillis).text());
     }
 
-    /** Returns the last message that a call received. Empty if no call has received one. */
+    /** Returns the last message that a call received. Empty if no call has received a message. */
     public String getData() {
         return data;
     }

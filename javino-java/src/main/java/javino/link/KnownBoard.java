@@ -64,7 +64,7 @@ final class KnownBoard {
         return hasSaidHello;
     }
 
-    /** Returns the version that is spoken. {@link Protocol#AUTO} means that it is not known. */
+    /** Returns the version that is spoken. Returns {@link Protocol#AUTO} if the version is not known. */
     Protocol protocol() {
         return protocol;
     }

@@ -4,7 +4,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 
-/** Collects outcomes, board reports and warnings under the line's lock. Passes them on outside of the lock. Safe on any thread. */
+/** Collects outcomes, board reports and warnings under the line's lock. Passes these reports on outside of the lock. Safe on any thread. */
 final class LineReports {
     private static final System.Logger LOG = System.getLogger(LineReports.class.getName());
 

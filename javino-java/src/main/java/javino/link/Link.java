@@ -39,9 +39,9 @@ import javino.wire.CommandItem;
  * after the request's own time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A running board
  * answers at once.
  * <p>If {@link LinkSettings#protocol()} is {@link Protocol#AUTO}, the link finds out the board's version. The link sends HELLO of version
- * 2 twice. After each HELLO it waits 60 ms, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1
- * boards ignore HELLO, and get no frame of version 1 during these waits. A message from a version 2 board arrives whole or not at all. In
- * version 2 the future of {@link #send} tells the outcome of an action.
+ * 2 twice. After each HELLO the link waits for 60 ms, or for 20 byte times if 20 byte times are longer. If no answer comes, the link asks
+ * in version 1. Version 1 boards ignore HELLO, and get no frame of version 1 during these waits. A message from a version 2 board arrives
+ * whole or not at all. In version 2 the future of {@link #send} tells the outcome of an action.
  * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even a waiting call. The port is
  * then free for another link. An interrupted call throws {@link PortInterruptedException}, and the link stays usable.
  */
@@ -141,14 +141,14 @@ public final class Link implements AutoCloseable {
         return settings;
     }
 
-    /** Returns the version that is spoken. {@link Protocol#AUTO} means that it is not known yet. */
+    /** Returns the version that is spoken. Returns {@link Protocol#AUTO} if the version is not known yet. */
     public Protocol protocol() {
         return board.protocol();
     }
 
     /**
-     * Returns the board's registered actions, by number. Empty while they are not known, and in version 1. Safe on any thread. Does not
-     * wait.
+     * Returns the board's registered actions, by number. Empty while the actions are not known, and in version 1. Safe on any thread.
+     * Does not wait.
      */
     public Optional<List<BoardAction>> vocabulary() {
         return line.session().vocabulary();
@@ -324,9 +324,9 @@ public final class Link implements AutoCloseable {
      * Queues a command and returns at once. A thread in {@link #writeCommandsUntilClosed} sends urgent commands before others.
      *
      * <p>The thread that learns the outcome completes the future and holds no lock. In version 1 the outcome is known when the last byte
-     * has left by the line's rate. If the link is not paced, it is known when the driver has that byte. In version 2 the outcome is known
-     * when the board has acted. Until then the link repeats the command, and the board acts only once. After four repetitions and 2 s
-     * without any frame from the board, the link gives the command up.
+     * has left by the line's rate. If the link is not paced, the outcome is known when the driver has the last byte. In version 2 the
+     * outcome is known when the board has acted. Until then the link repeats the command, and the board acts only once. After four
+     * repetitions and 2 s without any frame from the board, the link gives the command up.
      *
      * <p>The future fails with
      * <ul>

@@ -75,8 +75,8 @@ final class Monitor {
 
     /**
      * Waits until {@code nanosLeft} returns 0 or less. Every thread that releases the lock calls {@code nanosLeft}, under the lock. The
-     * waiting thread calls it when the returned time has passed. {@code nanosLeft} must change nothing, and depend only on time and on
-     * state that the lock guards. The caller holds the lock.
+     * waiting thread calls {@code nanosLeft} when the returned time has passed. {@code nanosLeft} must change nothing, and depend only on
+     * time and on state that the lock guards. The caller holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {
         Waiter waiter = new Waiter(nanosLeft);

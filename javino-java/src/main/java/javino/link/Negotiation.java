@@ -7,10 +7,10 @@ import javino.PortException;
 import javino.wire.WireFrame;
 
 /**
- * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats both
- * until an answer comes. A board of version 1 ignores HELLO. A board of version 2 that missed HELLO during its start may answer the
- * request in version 1. A board that may be starting therefore gets HELLO once more after its answer. If stray bytes came, they may
- * contain a damaged WELCOME, so the board gets several HELLOs.
+ * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats HELLO
+ * and the request until an answer comes. A board of version 1 ignores HELLO. A board of version 2 that missed HELLO during its start may
+ * answer the request in version 1. A board that may be starting therefore gets HELLO once more after its answer. If stray bytes came,
+ * they may contain a damaged WELCOME, so the board gets several HELLOs.
  * <p>A board in a session ignores a frame of version 1 that closely follows other bytes. A frame of version 1 therefore follows HELLO
  * only after the time for WELCOME. Not thread-safe.
  */

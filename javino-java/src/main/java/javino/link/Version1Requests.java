@@ -108,8 +108,8 @@ final class Version1Requests {
     }
 
     /**
-     * Returns the next message if it is complete by {@code deadline}. If it has begun by then, waits for its end until {@code giveUp}.
-     * Returns null if no message comes.
+     * Returns the next message if it is complete by {@code deadline}. If the message has begun by {@code deadline}, waits for its end
+     * until {@code giveUp}. Returns null if no message comes.
      */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);

@@ -74,14 +74,17 @@ public final class SerialPorts {
     }
 
     /**
-     * Returns the other processes that have a serial device open, such as {@code process 4711 (minicom)}. Empty if there are none, or if
-     * this user cannot see them. Without {@code /proc} nobody can.
+     * Returns the other processes that have a serial device open, such as {@code process 4711 (minicom)}. Empty if there are no such
+     * processes, or if this user cannot see them. Always empty without {@code /proc}.
      */
     public static List<String> holders(String port) {
         return DeviceHolders.of(SerialDevice.of(port));
     }
 
-    /** Returns how this user gets permission to open a device. Empty if the user has it, or if only an attempt to open would show. */
+    /**
+     * Returns how this user gets permission to open a device. Empty if the user has the permission, or if only an attempt to open the
+     * device would show the remedy.
+     */
     public static Optional<String> permissionRemedy(String port) {
         SerialDevice device = SerialDevice.of(port);
         if (!device.hasNode() || !device.exists()) {

@@ -13,7 +13,9 @@ final class AnswerParts {
     private int request = NONE;
     private int parts;
 
-    /** Takes a frame of percepts. Returns the answer if the frame completes it or shows that a part is missing. Else returns null. */
+    /**
+     * Takes a frame of percepts. Returns the answer if the frame completes the answer or shows that a part is missing. Else returns null.
+     */
     Answer accept(WireFrame frame) {
         String payload = frame.payload();
         boolean isWhole = frame.kind() == FrameKind.PERCEPTS;

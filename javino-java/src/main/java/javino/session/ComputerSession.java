@@ -132,7 +132,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Returns the board's actions in the order of their numbers. Empty if they are not known yet. */
+    /** Returns the board's actions in the order of their numbers. Empty if the actions are not known yet. */
     public Optional<List<BoardAction>> vocabulary() {
         return vocabulary.actions();
     }

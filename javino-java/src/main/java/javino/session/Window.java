@@ -95,7 +95,7 @@ final class Window<C> {
         }
     }
 
-    /** Removes and returns the {@code count} oldest commands. The board has handled them by {@code now}. */
+    /** Removes and returns the {@code count} oldest commands. The board has handled these commands by {@code now}. */
     List<Entry<C>> acknowledge(int count, long now) {
         List<Entry<C>> handled = new ArrayList<>(out.subList(0, count));
         out.subList(0, count).clear();

@@ -102,7 +102,7 @@ public final class BoardLoop {
         }
     }
 
-    /** Handles the next message. Waits at most {@code timeoutMillis} for it, or a few milliseconds if the board watches rules. */
+    /** Handles the next message. Waits for the message at most {@code timeoutMillis}, or a few milliseconds if the board watches rules. */
     public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);
         handleNext();
@@ -239,8 +239,8 @@ public final class BoardLoop {
     }
 
     /**
-     * Sends a message unasked, in {@link #version}. In version 2 it may have any length. On the board's thread, returns when the last
-     * byte has left.
+     * Sends a message unasked, in {@link #version}. In version 2 the message may have any length. On the board's thread, returns when the
+     * last byte has left.
      *
      * @throws IllegalArgumentException if the text does not fit into a message
      */

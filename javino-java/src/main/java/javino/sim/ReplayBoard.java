@@ -14,7 +14,7 @@ import javino.Transport;
  * <p>If the recorded board answered requests, this board answers requests too. The recording then runs from the first request on. Each
  * request gets the newest message up to the present moment of the recording. After the end of the recording, each request gets the last
  * message. If the recorded board spoke unasked, this board sends each message at its recorded time, counted from the opening of the port.
- * After the last message it falls silent. The board speaks both versions of the protocol, and accepts any command.
+ * After the last message, this board falls silent. The board speaks both versions of the protocol, and accepts any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;

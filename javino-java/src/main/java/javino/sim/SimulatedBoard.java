@@ -17,9 +17,9 @@ public interface SimulatedBoard {
      *
      * <p>Runs on its own thread. A board never runs twice at a time. Bytes take their time at the port's rate,
      * {@code line.line().baud()}. If the port is closed and all earlier bytes have been read, calls on {@code line} throw
-     * {@link javino.PortGoneException}. Do not catch it. The thread is interrupted if the board is unplugged, or if the port is opened
-     * again before this method has returned. When this method returns or throws, the port is gone for its owner. The owner's exception
-     * names the cause.
+     * {@link javino.PortGoneException}. Do not catch this exception. The thread is interrupted if the board is unplugged, or if the port
+     * is opened again before this method has returned. When this method returns or throws, the port is gone for its owner. The owner's
+     * exception names the cause.
      */
     void run(Transport line) throws PortException, InterruptedException;
 

@@ -22,7 +22,7 @@ public interface Sketch extends SimulatedBoard {
 
     /**
      * Returns the kinds of the board's percepts: {@code PerceptKind.parseLines("dist(front|left, cm 0..400)")}. Tools, checks and the
-     * live view use them. Empty by default.
+     * live view use these kinds. Empty by default.
      */
     default List<PerceptKind> perceptKinds() {
         return List.of();
@@ -36,7 +36,9 @@ public interface Sketch extends SimulatedBoard {
      */
     boolean act(String command);
 
-    /** Returns the board's actions. Computers check commands against them; see {@link BoardProgram#vocabulary}. Empty by default. */
+    /**
+     * Returns the board's actions. Computers check commands against these actions; see {@link BoardProgram#vocabulary}. Empty by default.
+     */
     default List<BoardAction> actions() {
         return List.of();
     }

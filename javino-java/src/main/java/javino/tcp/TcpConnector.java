@@ -19,7 +19,10 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit. An interrupt ends the wait. */
 final class TcpConnector {
-    /** The time limit for looking the host up, and again for connecting. In a local network both take a few milliseconds. */
+    /**
+     * The time limit for looking the host up, and again for connecting. In a local network, the look-up and the connection take a few
+     * milliseconds each.
+     */
     static final int LIMIT_MILLIS = 3_000;
 
     /** Room for bytes that the far end has not taken. A small buffer keeps commands from waiting behind old commands. */

@@ -97,6 +97,6 @@ public sealed interface CommandItem {
     char NOTHING = 0xFE;
     /** The byte before the length of a rule. */
     char RULE = 0xFF;
-    /** The byte before the length of a long text. A text of 128 bytes or more needs this byte. A shorter text may have it. */
+    /** The byte before the length of a long text. A text of 128 bytes or more needs this byte. A shorter text may also have this byte. */
     char LONG_TEXT = 0;
 }

@@ -7,9 +7,10 @@ internal sealed class FilterNode(val position: Position, val words: String) {
     class Array(position: Position, val items: List<FilterNode>) : FilterNode(position, "an array")
 
     /**
-     * @property isText true if the scalar can be a text. In JSON only a scalar in quotes can. In XML every scalar can
-     * @property isBare true if the scalar can be a number or a truth value. In JSON only a scalar without quotes can. In XML every scalar
-     *     can
+     * @property isText true if the scalar can be a text. In JSON, only a scalar in quotes can be a text. In XML, every scalar can be a
+     *     text
+     * @property isBare true if the scalar can be a number or a truth value. In JSON, only a scalar without quotes can be a number or a
+     *     truth value. In XML, every scalar can be a number or a truth value
      */
     class Scalar(position: Position, val content: String, val isText: Boolean, val isBare: Boolean) :
         FilterNode(position, if (isText) "'$content'" else content)

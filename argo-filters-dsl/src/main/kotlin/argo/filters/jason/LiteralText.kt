@@ -59,5 +59,5 @@ private fun isPlain(literal: Literal) = when (literal) {
     else -> true
 }
 
-/** A variable. Every condition on it is false. */
+/** A variable, on which every condition is false. */
 private const val NO_VALUE = "_"

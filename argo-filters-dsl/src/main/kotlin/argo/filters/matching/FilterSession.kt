@@ -55,7 +55,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Returns the agent's perception at [nowMs]. [percepts] are all percepts received now. Keeps text that is not a percept.
      *
-     * @param old percepts whose sensors were not read since the last call. Smoothing rules do not count them again
+     * @param old percepts whose sensors were not read since the last call. Smoothing rules do not count these percepts again
      */
     @JvmOverloads
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
@@ -141,8 +141,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's percept for [standing], the result of smoothing, or null if there is none. If a rule holds it back, adds the
-     * hold to [holds].
+     * Returns the agent's percept for [standing], the result of smoothing, or null if there is none. If a rule holds [standing] back,
+     * adds the hold to [holds].
      *
      * @param critical the percept that the agent perceives because critical rules match; null: none matches
      */

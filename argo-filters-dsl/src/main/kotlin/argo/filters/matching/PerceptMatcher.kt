@@ -11,7 +11,8 @@ import argo.filters.SmoothingRule
  * Applies a filter's rules to percepts. Immutable, and safe for use by several threads at once.
  *
  * A matcher treats each percept as the first of its sensor: no rate holds the percept back, and no smoothing rule replaces it. Rates,
- * smoothing rules and second limits depend on time and on earlier percepts. Only a [FilterSession] knows these.
+ * smoothing rules and second limits depend on time and on earlier percepts. Only a [FilterSession] knows the time and the earlier
+ * percepts.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
@@ -52,7 +53,7 @@ class PerceptMatcher internal constructor(
                 firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, null) { true } == null)
         }
 
-    /** Returns true if the ordinary rules drop [percept]. A critical rule may still keep it. */
+    /** Returns true if the ordinary rules drop [percept]. A critical rule may still keep [percept]. */
     internal fun drops(percept: String, latches: Latches?): Boolean =
         scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
             isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)

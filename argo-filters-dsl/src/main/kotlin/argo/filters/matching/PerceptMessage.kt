@@ -4,7 +4,7 @@ package argo.filters.matching
  * Splits one Javino message into its percepts, in order. A `;` outside of strings, quoted atoms and brackets separates percepts. Trims
  * percepts and leaves out empty ones.
  *
- * A percept with unmatched brackets or quotes ends at its next `;` of any kind. The percepts after it are then not lost.
+ * A percept with unmatched brackets or quotes ends at its next `;` of any kind. The following percepts are then not lost.
  */
 fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()

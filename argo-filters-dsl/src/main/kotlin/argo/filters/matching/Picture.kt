@@ -11,7 +11,7 @@ internal class Picture<P> {
     private val standing = ArrayList<P>() // replacements of the first received percepts; the others are not replaced
     private val doubted = BitSet()
 
-    /** Starts a new picture with the percepts [received]. [stand] replaces them one by one. */
+    /** Starts a new picture with the percepts [received]. [stand] replaces the received percepts one by one. */
     fun begin(received: List<P>) {
         this.received = received
         standing.clear()
@@ -40,7 +40,7 @@ internal class Picture<P> {
     fun placesOf(percepts: Set<P>): Map<P, Int> =
         received.indices.filter { received[it] in percepts }.associateBy { received[it] }
 
-    /** Returns true if the percept at index [place] is not credible. An older percept then replaces it. */
+    /** Returns true if the percept at index [place] is not credible, so an older percept replaces it. */
     fun isDoubted(place: Int): Boolean = doubted[place]
 
     /** True if some received percept is not credible. */

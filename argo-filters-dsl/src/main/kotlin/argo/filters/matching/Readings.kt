@@ -6,7 +6,7 @@ import argo.filters.SmoothingRule
 import kotlin.math.abs
 
 /**
- * The last percepts of one sensor. A smoothing [rule] selects one of them.
+ * The last percepts of one sensor. A smoothing [rule] selects one of these percepts.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */

@@ -24,8 +24,8 @@ internal class Smoother<P : Any>(
     private var isDoubted = false // whether the last added percept is not credible
 
     /**
-     * Adds the percepts [received] at [nowMs] to the readings. Returns them with their replacements. Does not add a percept of [old]
-     * again if it was in the last picture. The result is valid until the next call but one.
+     * Adds the percepts [received] at [nowMs] to the readings. Returns the percepts with their replacements. If a percept of [old] was in
+     * the last picture, does not add it again. The result is valid until the next call but one.
      */
     fun picture(received: List<P>, nowMs: Long, old: Set<P>): Picture<P> {
         val before = picture
@@ -52,7 +52,7 @@ internal class Smoother<P : Any>(
     }
 
     /**
-     * Adds the [percept] if its text shows that it comes from this sensor. Else returns null. Does not search for the rule and the
+     * Adds the [percept] if its text shows that it comes from this sensor. Else returns null. Searches neither for the rule nor for the
      * sensor.
      */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
@@ -69,7 +69,7 @@ internal class Smoother<P : Any>(
         places[place] = sensor
     }
 
-    /** Returns the replacement of [percept] if it came at [nowMs]. Returns null if no rule smooths it. */
+    /** Returns the replacement of [percept] if the percept came at [nowMs]. Returns null if no rule smooths the percept. */
     fun replacement(percept: P, nowMs: Long): Replacement<P>? {
         val text = textOf(percept)
         return read(text, null) { rule, known, from, to, number ->
