@@ -10,8 +10,8 @@ unsigned rate_of(int terminal);
 void rate_forget(int terminal);
 
 /**
- * Returns the byte that a receiver reads. If the rates differ by at most 3 %, this is the sent byte. Otherwise it consists of the sampled
- * bits.
+ * Returns the byte that a receiver reads. If the rates differ by at most 3 %, the receiver reads the sent byte. Otherwise the receiver
+ * reads the bits that it samples.
  *
  * @param sent      the sender's rate in baud; 0 for the receiver's rate
  * @param received  the receiver's rate in baud; 0 for the sender's rate

@@ -5,7 +5,8 @@
 #include <stdbool.h>
 
 /**
- * Runs a sketch step by step. Reads commands from standard input and prints answers to standard output. README.md describes both.
+ * Runs a sketch step by step. Reads commands from standard input and prints answers to standard output. README.md describes the commands
+ * and answers.
  *
  * @param sketch  an .elf or .hex file
  * @return false if the sketch has crashed or ended, or cannot be loaded. A message is on stderr or standard output

@@ -27,7 +27,7 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->named.arguments = arguments;
   action->function = function;
   action->caller = caller;
-  /* The newest action comes first. The search then finds it before an older action with an equal name. */
+  /* The newest action comes first, so a search finds it before an older action with an equal name. */
   board_->link.actions = action;
   count_ = ++count;
 #ifndef JAVINO_VERSION_1_ONLY

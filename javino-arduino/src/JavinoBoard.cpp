@@ -138,7 +138,7 @@ void JavinoBoard::handle() {
 
 /**
  * Carries out the present action. Returns false if the action must wait. In version 1 a damaged length may have truncated the text. A
- * truncated text seldom names an action, because its brackets are open. If it does name one, the following bytes decide.
+ * truncated text seldom names an action, because its brackets are open. If the text names an action, the following bytes decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;

@@ -89,8 +89,8 @@ public:
   typedef JavinoActions::BoardFunction BoardCallback;
 
   /**
-   * Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms. Below 2000 baud it is 20 byte
-   * times.
+   * Sets the longest pause within a message, at most 10,000 ms. The default at a serial port is 100 ms. Below 2000 baud the default is 20
+   * byte times.
    */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
@@ -165,7 +165,8 @@ public:
 
   /**
    * Registers the function for unknown actions and for actions with a wrong number of arguments. Without such a function the board
-   * refuses them, and `argo.act` fails with `error(act_refused)`. Version 1 has no outcomes, so the board ignores them.
+   * refuses these actions, and `argo.act` fails with `error(act_refused)`. Version 1 has no outcomes, so in version 1 the board ignores
+   * these actions.
    *
    * While a function is registered, the board does not describe its actions to computers. ARGO would send only described actions. Every
    * action then arrives as text.
@@ -315,8 +316,8 @@ public:
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, unasked or as an answer: percepts, each followed by `;`. Sends all of them, even if the request names only some
-   * functors.
+   * Sends a message, unasked or as an answer: percepts, each followed by `;`. Sends all given percepts, even if the request names only
+   * some functors.
    *
    * @return false if a percept is too long for version 1
    */
@@ -422,7 +423,7 @@ private:
 
   void (*look_)(JavinoBoard &); /* Calls perceive_. */
   Callback perceive_;
-  void (*supervise_)(JavinoBoard &); /* Null if the sketch does not supervise the link. The code for it is then not linked. */
+  void (*supervise_)(JavinoBoard &); /* Null if the sketch does not supervise the link. The code for supervision is then not linked. */
   Callback lost_;
   unsigned long silence_ms_;
   Hook hook_;

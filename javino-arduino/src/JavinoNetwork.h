@@ -76,7 +76,7 @@ private:
   uint8_t bytes_[JAVINO_GATHERED_BYTES];
 };
 
-/** For JavinoNetworkSized: a base class. Its member is therefore constructed before the board, which refers to it. */
+/** A base class of JavinoNetworkSized. The board refers to the member of this class, so the member must be constructed before the board. */
 struct JavinoGatheringHolder {
   JavinoGathering gathering_;
 };
@@ -99,7 +99,7 @@ public:
   /**
    * Uses this open stream from now on, for example a computer's new connection. The stream must stay valid until another is set. An
    * incomplete message from the old stream is forgotten. If the old stream loses an outcome, the computer may repeat the command through
-   * the new stream. The board still carries it out only once. Do not call this within a callback.
+   * the new stream. The board still carries the command out only once. Do not call this within a callback.
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);

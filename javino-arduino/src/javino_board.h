@@ -5,7 +5,7 @@
  * the answer in place when it is sent, or earlier if the memory is full. In version 2, each digit of a percept takes half a byte if the
  * computer knows the rest of the percept. If an answer still does not fit, its beginning goes out early: in version 2 as a part of the
  * answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame can
- * still arrive. In version 1 they are one message of at most 255 bytes.
+ * still arrive. In version 1 unasked percepts are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -66,7 +66,7 @@ struct javino_rules;
 enum {
     JAVINO_RULES_SET,     /**< The present command sets or removes rules. The call ends the command. */
     JAVINO_RULES_PERCEPT, /**< A percept has been written. */
-    JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the rules send it, not the board. */
+    JAVINO_RULES_ANSWER,  /**< An answer is ready. The call returns true if the rules send the answer in place of the board. */
     JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: an answer is going out in parts. */
     JAVINO_RULES_END,     /**< A request is in hand, so the remaining parts of the answer before it go out. True: rules leave the new
                                answer less memory. */

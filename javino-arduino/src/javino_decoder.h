@@ -82,9 +82,9 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * or silence confirms the frame. Other bytes mean that the frame may have been misread. The decoder then reads its bytes again, from the
  * second on. The decoder also reads a frame's bytes again after a silence within the frame.
  *
- * A frame of version 2 is dropped, and not read again, if it is damaged, too long for the memory, of another session, or not from a
- * computer. Without a session only the checksum of HELLO is checked. The checksum of other frames is unknown then. The other frames only
- * show that a computer is present.
+ * The decoder drops some frames of version 2 without reading them again: damaged frames, frames too long for the memory, frames of
+ * another session, and frames not from a computer. Without a session only the checksum of HELLO is checked. The checksum of other frames
+ * is unknown then. The other frames only show that a computer is present.
  *
  * @param now_ms  the time of the last check of the receive buffer. The buffer must be empty, or javino_decoder_ready must return false
  * @return the frame: JAVINO_OVERHEAD bytes and its payload, in version 2 without escapes. After a frame, call this again before the next

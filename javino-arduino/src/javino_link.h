@@ -28,7 +28,7 @@ enum {
     JAVINO_REQUEST, /**< A request for percepts. The text is empty, or lists functors: (dist,light). */
     JAVINO_WATCH,   /**< Only for javino_rules.h: percepts are being compared with rules. javino_link_poll never returns it. */
     JAVINO_ACTION,  /**< A command. The text is a literal. */
-    JAVINO_RULE     /**< A command that sets or removes rules, see javino_rules.h. javino_board_poll handles it and does not return it. */
+    JAVINO_RULE     /**< A command that sets or removes rules, see javino_rules.h. javino_board_poll handles this event. */
 };
 typedef uint8_t javino_event;
 
@@ -110,7 +110,7 @@ typedef struct {
  *
  * @param bytes    memory that belongs to the link from now on
  * @param size     size of this memory: JAVINO_WINDOW, or less if long frames may be lost
- * @param write    puts a byte on the line. The only function of this link that it may call is javino_link_receive
+ * @param write    puts a byte on the line. `write` may call only one function of this link: javino_link_receive
  * @param context  passed to write
  */
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context);

@@ -70,8 +70,8 @@ class _Acts:
 class Board:
     """A board on a line.
 
-    `line` is the name of a line (see `open_line`), or an object with `read` and `write`, such as a UART of MicroPython or
-    CircuitPython, or a pyserial port. The default is standard input and output. On a microcontroller the default is the USB port.
+    `line` is the name of a line (see `open_line`), or an object with `read` and `write`. A UART of MicroPython or CircuitPython and
+    a pyserial port are such objects. The default is standard input and output. On a microcontroller the default is the USB port.
     `baud` is the rate of a named serial port. If the rate is known, the board waits between the parts of a long answer. The report
     of a reflex can then overtake parts. A silence of 100 ms ends an unfinished frame. Below 2000 baud the silence is 20 byte times.
     `credit` is the size of the port's receive buffer in bytes. `longest` is the longest payload of a frame in bytes. `shapes` is

@@ -1,8 +1,8 @@
 // A motor that stops after 300 ms without a valid message from the computer.
 //
-// Only run() notices the silence. If loop() hangs, the motor continues to run. A watchdog prevents this. On AVR #include <avr/wdt.h>,
-// call wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). The watchdog restarts a board that has hung for half a second, with
-// its motors off. (The boot loaders of some older Megas and Nanos cannot handle such a restart.)
+// Only run() notices the silence. If loop() hangs, the motor continues to run. A watchdog stops the motor even then. On AVR #include
+// <avr/wdt.h>, call wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). The watchdog restarts a board that has hung for half a
+// second, with its motors off. (The boot loaders of some older Megas and Nanos cannot handle such a restart.)
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), stopped(linkLost) once after the link was lost

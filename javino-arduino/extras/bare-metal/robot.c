@@ -144,7 +144,7 @@ static void put_byte(void *context, uint8_t byte)
     machine_put(MACHINE_LINE, byte);
 }
 
-/* Takes arrived bytes while the link has room. Returns the time before it began. */
+/* Takes arrived bytes while the link has room. Returns the time at the call's beginning. */
 static uint32_t take_bytes(void)
 {
     uint32_t now = machine_ms();

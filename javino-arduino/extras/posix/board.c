@@ -61,7 +61,7 @@ static int open_port(const char *device, long baud)
     return fd;
 }
 
-/* Takes arrived bytes while the link has room. Returns the time before it began. */
+/* Takes arrived bytes while the link has room. Returns the time at the call's beginning. */
 static uint32_t take_bytes(void)
 {
     struct pollfd source = {port, POLLIN, 0};
@@ -113,7 +113,7 @@ static bool is(const char *text, uint8_t length, const char *name)
     return strlen(name) == length && memcmp(text, name, length) == 0;
 }
 
-/* Carries out the present action. Returns false if it is unknown or malformed. */
+/* Carries out the present action. Returns false if the action is unknown or malformed. */
 static bool act(const char *text, uint8_t length)
 {
     const char *argument = text;

@@ -15,9 +15,9 @@ import java.util.function.Consumer;
  * </ul>
  * An intact stream gives exactly its frames, with any text in them. A damaged frame does not cost the intact frame after it.
  *
- * <p>If the line is silent for longer than the inter-byte timeout, the decoder gives up an unfinished frame and delivers the complete
- * frames among its bytes. The decoder holds about two frames at most. No input makes the decoder throw. It passes the receiver's
- * exceptions on and stays usable.
+ * <p>If the line is silent for longer than the inter-byte timeout, the decoder gives up an unfinished frame. The decoder then delivers
+ * the complete frames among the unfinished frame's bytes. The decoder holds about two frames at most. No input makes the decoder throw.
+ * It passes the receiver's exceptions on and stays usable.
  *
  * <p>Times are nanoseconds of any steady clock. Not thread-safe. The receiver must not call the decoder.
  */

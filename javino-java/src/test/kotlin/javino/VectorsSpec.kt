@@ -14,7 +14,7 @@ import java.util.HexFormat
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.readText
 
-/** The test vectors of version 1. The board's library must pass them too. */
+/** The test vectors of version 1. The board's library must pass these vectors too. */
 class VectorsSpec : FunSpec({
     val vectors = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino-vectors.json").readText()).jsonObject
     val encode = vectors.cases("encode")

@@ -26,10 +26,10 @@ import javino.wire.WireFrame;
  * }
  * }</pre>
  *
- * <p>By default the board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message did not come, if
- * a message was lost (see {@link #queueSize}), or if a surprising message came. A message is surprising if no rule covers it, the test
- * does not expect it, and the test does not take it with {@code awaitMessage}. A {@linkplain #lenient lenient} board accepts missing,
- * lost and surprising messages.
+ * <p>By default the board is strict: {@link #verify} and {@link #close} fail if an {@linkplain #expect expected} message is missing. They
+ * also fail if a message was lost (see {@link #queueSize}), or if a surprising message came. No rule covers a surprising message, and the
+ * test neither expects it nor takes it with {@code awaitMessage}. A {@linkplain #lenient lenient} board accepts missing, lost and
+ * surprising messages.
  *
  * <p>By default the board starts at once, queues any number of messages, and answers {@code getPercepts} with an empty message. The line
  * has the baud rate with which the port is opened. All methods are safe on any thread. Rules may change while the board runs.
@@ -161,8 +161,8 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Lets the board of version 2 watch at most {@code rules} critical rules; 0 by default. The board compares the rules with its answer
-     * to {@code getPercepts} every 5 ms, or once per {@linkplain #loopTakes loop} if the loop is slower. The board handles and records a
-     * reflex like a received command. Call this before the port is opened.
+     * to {@code getPercepts}, once per {@linkplain #loopTakes loop} and at most every 5 ms. The board handles and records a reflex like a
+     * received command. Call this before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
         sketch.rules = rules;

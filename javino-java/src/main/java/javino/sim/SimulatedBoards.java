@@ -43,7 +43,7 @@ public final class SimulatedBoards {
     }
 
     /**
-     * Removes a board. If its port is open, the line is gone for both ends.
+     * Removes a board. If the board's port is open, the line is gone for both ends.
      *
      * @return whether there was a board with this name
      */

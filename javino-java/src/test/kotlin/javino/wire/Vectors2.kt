@@ -13,7 +13,7 @@ import java.nio.file.Path
 import java.util.HexFormat
 import kotlin.io.path.readText
 
-/** The test vectors of version 2. The board's library and the reference must pass them too. */
+/** The test vectors of version 2. The board's library and the reference must pass these vectors too. */
 internal object Vectors2 {
     private val file = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino2-vectors.json").readText()).jsonObject
 
