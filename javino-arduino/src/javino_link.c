@@ -182,7 +182,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* Returns the event for the program that a frame of version 2 causes. */
+/* Handles a frame of version 2. Returns the event for the program. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];

@@ -50,7 +50,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
     }
 
     private companion object {
-        /** How many ms sensing waits for a description. The default time limit for an answer is longer. */
+        /** The time, in ms, that a sensing thread waits for a description. The default time limit for an answer is longer. */
         const val LIMIT_MS = 300
     }
 }

@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentHashMap
  * @property link the line to the board
  * @property openedNanos the time at which the port was opened, by the platform's clock
  * @property losses how many times in a row the port was lost soon after its opening
- * @param use makes the port's user, which is closed with the port
+ * @param use creates the user of the port. Closing the port closes its user
  */
 internal class OpenPort(
     names: Map<Term, String>,

@@ -43,7 +43,7 @@ internal class ProgramText private constructor(
     /** The [files] with blanks in place of some parts. [without] are the plans of these parts. */
     class Shortened(val files: List<ProgramFile>, val without: Set<Plan>)
 
-    /** Returns the program without its beliefs and goals, and without each part that has only plans in [kept]. */
+    /** Leaves out beliefs and goals. Also leaves out each part of the program whose plans are all in [kept]. */
     fun without(kept: Set<Plan>): Shortened {
         val once = files.groupBy { it.within to it.name }.values.mapNotNull { it.singleOrNull() }
         val dropped = parts.filter { !it.isOther && it.plans.all(kept::contains) && once.any { file -> file === it.file } }

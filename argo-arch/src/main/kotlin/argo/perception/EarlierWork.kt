@@ -132,8 +132,8 @@ internal class EarlierWork(
         const val ATOMIC_PLAN_INTERVAL_MS = 100
 
         /**
-         * The ms for which an intention is awaited. If a snapshot's other work took longer, its intentions are awaited as long as that work
-         * took.
+         * The least time, in ms, for which an intention is awaited. If the other work of its snapshot took longer, an intention is awaited
+         * for that longer time.
          */
         const val LONG_MS = 1000L
     }

@@ -186,8 +186,9 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board tells version 2 agents that it knows only these [actions]: `ledOn`, `speed/1` for one argument, or `say` with a slash and a
-     * star for any number. Without this call, the board describes no actions, and agents do not check commands.
+     * The board tells version 2 agents that it knows only these [actions]. `ledOn` is an action without arguments, `speed/1` has one
+     * argument. A star in place of the 1 stands for any number of arguments. Without this call, the board describes no actions, and agents
+     * do not check commands.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 

@@ -25,7 +25,7 @@ internal enum class Design(val word: String, val title: String, val boards: List
     @SerialName("kinds")
     KINDS_APART("kinds", "an agent for each kind", KINDS.map(::listOf)),
 
-    /** An ARGO agent senses and acts. A common agent for each kind of sensor reasons about percepts that the ARGO agent sends. */
+    /** An ARGO agent senses and acts, and sends its percepts to common agents. Each common agent reasons about one kind of sensor. */
     @SerialName("delegates")
     DELEGATES("delegates", "one agent delegates", listOf(KINDS)),
 }

@@ -69,8 +69,8 @@ final class Pacer {
     }
 
     /**
-     * Returns the most milliseconds for which a frame is held back on a free line. The gap and the delay on purpose of
-     * {@link GapEstimate} add up.
+     * Returns the most milliseconds for which a frame is held back on a free line: the gap, and the delay that
+     * {@link GapEstimate} adds to learn a better gap.
      */
     int maxHoldMillis() {
         return maxHoldMillis;

@@ -21,7 +21,7 @@ internal class Names(names: Collection<String>) {
             .map { it.text }.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
     }
 
-    /** Returns the names of [length] letters that share a part with [written]. */
+    /** Returns each name that has [length] letters and shares a part with [written]. */
     private fun candidates(written: String, length: Int): List<Name> = partsOf(length).flatMap { part ->
         (part.first - 1..part.first + 1).flatMap { from ->
             val end = from + part.last + 1 - part.first

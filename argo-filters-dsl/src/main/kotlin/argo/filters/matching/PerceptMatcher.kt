@@ -97,7 +97,7 @@ class PerceptMatcher internal constructor(
         }
     }
 
-    /** Returns true if a percept that meets exactly the rules [met], and no critical rule, is dropped for good. */
+    /** Returns true if a percept is dropped for good. It meets exactly the rules in [met]; none of them is critical. */
     internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)
