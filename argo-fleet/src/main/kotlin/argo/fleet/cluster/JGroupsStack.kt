@@ -40,7 +40,7 @@ internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Pro
     },
 )
 
-private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().apply {
+private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = Connections().apply {
     setBindAddr<TCP>(bind.address)
     setBindPort<TCP>(bind.port)
     setPortRange<TCP>(0)

@@ -5,8 +5,11 @@ import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import org.jgroups.BytesMessage
+import org.jgroups.JChannel
 import org.jgroups.Message
 import org.jgroups.ObjectMessage
+import org.jgroups.protocols.Discovery
+import org.jgroups.protocols.TCP
 import org.jgroups.util.Util
 import java.io.Serializable
 import java.net.InetSocketAddress
@@ -24,8 +27,17 @@ private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld 
 
     override fun start(name: String): Cluster {
         val bind = if (running.none { it.first == name }) addresses.getValue(name) else loopback(freePorts(1).single())
-        val group = JGroupsGroup(ClusterSettings("garden", name, if (areNamed) addresses else emptyMap(), bind))
+        val group = JGroupsGroup(settings(name, bind))
         return GroupCluster(group, addresses.keys, ThreadLoop(name)).also { running += Triple(name, group, it) }
+    }
+
+    private fun settings(name: String, bind: InetSocketAddress) =
+        ClusterSettings("garden", name, if (areNamed) addresses else emptyMap(), bind)
+
+    /** Returns a channel that looks for others as the computer [name] does before it joins. */
+    fun looking(name: String): JChannel {
+        val settings = settings(name, addresses.getValue(name))
+        return JChannel(stackOf(settings, FleetSockets(Entrance(Greeting.of(settings), null, settings.hosts))).take(2)).connect("garden")
     }
 
     fun channel(name: String) = running.first { it.first == name }.second.channel
@@ -71,6 +83,21 @@ class JGroupsClusterSpec : FunSpec({
         JGroupsWorld(areNamed = false).use { world ->
             val logs = listOf("a", "b").map { name -> Log().also { world.start(name).listen(it) } }
             world.await("a view of both") { logs.all { it.computers == setOf("a", "b") } }
+        }
+    }
+
+    test("a computer that joins does not cut off another one that is about to") {
+        JGroupsWorld().use { world ->
+            val log = Log()
+            world.start("a").listen(log)
+            world.looking("c").use { newcomer ->
+                newcomer.protocolStack.findProtocol<Discovery>(Discovery::class.java).findMembers(null, true, true, 0)
+                val transport = world.channel("a").protocolStack.transport as TCP
+                world.await("the connection") { transport.openConnections == 1 }
+                world.start("b").listen(Log())
+                world.await("a view of both") { log.computers == setOf("a", "b") }
+                transport.openConnections shouldBe 2
+            }
         }
     }
 
