@@ -39,16 +39,21 @@ internal fun crowd(): Boolean {
 }
 
 /**
- * Makes an archive of the classes that a fleet computer loads. Returns Java options that share the archive, save memory and compile
- * quickly. Many processes then fit on one computer.
+ * Makes an archive of the classes that a computer loads until it is in touch with others. Returns Java options that share the archive, save
+ * memory and compile quickly. Many processes then fit on one computer.
  */
 private fun sharing(project: Project): List<String> {
     val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData")
     project.packClasses()
-    project.file("once.mas2j").writeText("MAS once { infrastructure: ${Project.fleetOf(listOf("once"))} agents: once at \"once\"; }")
-    project.file("once.asl").writeText("!end. +!end <- .wait(2000); .stopMAS(0).")
+    val names = listOf("archiving", "second", "third")
+    val agents = names.joinToString(" ") { "$it ${if (it == names[0]) "ends" else "member"}.asl at \"$it\";" }
+    project.file("few.mas2j").writeText("MAS few { infrastructure: ${Project.fleetOf(names)} agents: $agents }")
+    project.file("ends.asl").writeText("!end. +!end : .all_names(L) & .length(L, ${names.size}) <- .stopMAS(0). +!end <- .wait(100); !end.")
     val archive = project.file("classes.jsa")
-    check(project.startComputer("once", small + "-XX:ArchiveClassesAtExit=$archive", "once.mas2j").waitFor() == 0) { project.printed() }
+    val processes = names.map { name ->
+        project.startComputer(name, if (name == names[0]) small + "-XX:ArchiveClassesAtExit=$archive" else small, "few.mas2j")
+    }
+    check(processes.all { it.waitFor() == 0 }) { project.printed() }
     return small + "-XX:SharedArchiveFile=$archive"
 }
 
