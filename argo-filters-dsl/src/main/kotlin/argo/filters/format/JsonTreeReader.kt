@@ -31,6 +31,8 @@ internal class JsonTreeReader(text: String, private val source: String) {
         return when {
             e is StreamConstraintsException && DEPTH in found -> "it has arrays and objects nested more than $MAX_DEPTH deep"
             e is StreamConstraintsException -> "it holds a number or a name that is too long"
+            "ALLOW_COMMENTS" in found -> "it has a comment, and JSON has none; leave it out"
+            "ALLOW_NON_NUMERIC" in found -> "NaN and infinity are no numbers of JSON"
             e is JsonEOFException -> "it ends$surroundings"
             CLOSE in found -> "'${if (parser.parsingContext.inArray()) '}' else ']'}' stands$surroundings"
             else -> EXPECTED.entries.find { it.key in found }?.let { "expected ${it.value}$surroundings" }

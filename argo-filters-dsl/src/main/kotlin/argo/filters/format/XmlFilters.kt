@@ -39,6 +39,7 @@ object XmlFilters {
 
     /** Returns a document's encoding, found in its first bytes. [read] reports bytes that are not in this encoding. */
     private fun encodingOf(bytes: ByteArray, source: String): Charset {
+        if (!mayDeclare(bytes)) return Charsets.UTF_8
         val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
         val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()
         val beginning = bytes.copyOf(if (isWide) tagEnd + 1 else tagEnd)
@@ -51,6 +52,18 @@ object XmlFilters {
             throw FilterException(listOf(Problem(source, 1, 1, message)), e)
         }
     }
+
+    /** Whether the parser may find an encoding in [bytes]. For other bytes it would print a message of its own. */
+    private fun mayDeclare(bytes: ByteArray): Boolean {
+        val beginning = String(bytes.copyOf(minOf(bytes.size, BEGINNING)), Charsets.ISO_8859_1)
+        return WIDE.any { beginning.startsWith(it) } || beginning.removePrefix("\u00EF\u00BB\u00BF").startsWith("<?xml")
+    }
+
+    /** As many bytes as a byte-order mark of UTF-8 and `<?xml`. */
+    private const val BEGINNING = 8
+
+    /** How a document in UTF-16 begins: with a byte-order mark or `<`. */
+    private val WIDE = listOf("\u00FE\u00FF", "\u00FF\u00FE", "\u0000<", "<\u0000")
 }
 
 internal fun nameOf(source: String, extension: String): String =

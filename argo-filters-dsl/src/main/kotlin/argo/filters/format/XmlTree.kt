@@ -120,7 +120,13 @@ internal class XmlTree(private val document: String, private val source: String)
 
     private fun notWellFormed(e: XMLStreamException): Problem {
         val at = e.location?.takeIf { it.lineNumber > 0 }?.let { Position(it.lineNumber, it.columnNumber) } ?: positions.end
-        return problem(at, "the text is not well-formed XML: ${e.message.orEmpty().substringAfter("Message: ")}")
+        return problem(at, "the text is not well-formed XML: ${words(e.message.orEmpty().substringAfter("Message: "))}")
+    }
+
+    private fun words(found: String) = when {
+        document.isBlank() -> "it is empty"
+        "[xX][mM][lL]" in found -> "<?xml …?> stands only at the very beginning; remove what is in front of it"
+        else -> found
     }
 
     private fun problem(at: Position, message: String) = Problem(source, at.line, at.column, message)

@@ -191,12 +191,14 @@ class JsonFiltersSpec : FreeSpec({
             "{\"rules\" []}" to "expected a colon",
             "{\"rules\": [] 1}" to "expected a comma",
             "[tru]" to "'tru'",
+            "// the front\n[]" to "it has a comment, and JSON has none",
+            "[NaN]" to "NaN and infinity are no numbers of JSON",
             "[\"a\nb\"]" to "has to be escaped",
         ).forEach { (document, words) ->
             (document.take(40).replace("\n", "⏎")) {
                 val message = problems(document).single().message
                 message shouldContain words
-                listOf("Source", "REDACTED", "Stream", "marker", "Object", "()").forEach { message shouldNotContain it }
+                listOf("Source", "REDACTED", "Stream", "marker", "Object", "()", "ALLOW", "Feature").forEach { message shouldNotContain it }
             }
         }
     }

@@ -11,6 +11,8 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FreeSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
 import java.nio.charset.Charset
 
 private val expected = PerceptionFilter("f", Rule("d", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.Text("é漢")))))
@@ -63,6 +65,18 @@ class XmlEncodingSpec : FreeSpec({
     "bytes that are not in the encoding are refused where they stand" {
         val bytes = document("<?xml version='1.0'?>\n", "é").toByteArray(Charsets.ISO_8859_1)
         shouldThrow<FilterException> { read(bytes) }.message shouldContain "f.xml:5:32: a byte that is not UTF-8"
+    }
+
+    "bytes that are no text are refused, and nothing is printed" {
+        val printed = ByteArrayOutputStream()
+        val standard = System.err
+        System.setErr(PrintStream(printed))
+        try {
+            shouldThrow<FilterException> { read(byteArrayOf(0xC3.toByte(), '('.code.toByte(), '>'.code.toByte(), 0)) }
+        } finally {
+            System.setErr(standard)
+        }
+        "$printed" shouldBe ""
     }
 
     "text cut in the middle of a character is refused" {

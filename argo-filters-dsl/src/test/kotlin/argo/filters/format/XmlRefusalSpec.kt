@@ -175,6 +175,11 @@ class XmlRefusalSpec : FreeSpec({
                 }
             }
         }
+        "with the remedy for an empty text, and for a declaration behind a blank line" {
+            problems("\n").single().message shouldBe "the text is not well-formed XML: it is empty"
+            problems("\n<?xml version='1.0'?><PerceptionFilter/>").single().message shouldBe
+                "the text is not well-formed XML: <?xml …?> stands only at the very beginning; remove what is in front of it"
+        }
         "without further problems that only come of the break" {
             problems("<PerceptionFilter><filter><predicate>a") shouldHaveSize 1
             problems("<PerceptionFilter><filter><predicate>a</predicate><parameter id='0'>") shouldHaveSize 1
