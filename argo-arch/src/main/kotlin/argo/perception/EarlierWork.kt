@@ -22,7 +22,10 @@ internal class ReasoningQueues(
     val isStanding: () -> Boolean = { false },
     val running: () -> Collection<Intention> = { emptyList() },
     val events: () -> Collection<Event> = { emptyList() },
-)
+) {
+    /** Returns true if Jason takes events, and [FreshHandOver.MANY_EVENTS] wait. */
+    fun areCrowded(): Boolean = !isStanding() && events().size >= FreshHandOver.MANY_EVENTS
+}
 
 /**
  * The work that a board's snapshot has caused in the agent, from its hand-over on. A new snapshot waits for this work, which would

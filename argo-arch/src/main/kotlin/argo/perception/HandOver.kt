@@ -36,8 +36,13 @@ internal interface HandOver {
     fun clear()
 }
 
-/** Hands over every snapshot, in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost. Warns at the first loss. */
-internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
+/**
+ * Hands over every snapshot, in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost. Warns at the first loss.
+ *
+ * @param isCrowded returns true if too many events wait in Jason's queue. Then no snapshot is handed over. Jason puts the event of a new
+ * goal behind all waiting events, so a slow agent would reach its own goals later and later.
+ */
+internal class EveryHandOver(private val isCrowded: () -> Boolean = { false }, private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()
     private var warned = false
@@ -50,11 +55,13 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
         warned = true
     }
 
-    override fun isReady() = waiting.isNotEmpty()
+    override fun isReady() = waiting.isNotEmpty() && !isCrowded()
 
-    override fun take(): Snapshot? = waiting.poll()?.also { count.decrementAndGet() }
+    override fun take(): Snapshot? = if (isReady()) poll() else null
 
-    override fun drain() = generateSequence(::take).toList()
+    private fun poll(): Snapshot? = waiting.poll()?.also { count.decrementAndGet() }
+
+    override fun drain() = generateSequence(::poll).toList()
 
     override fun catchUp(): Int {
         val all = drain()

@@ -287,6 +287,18 @@ class HandOverSpec : FunSpec({
             handOver.take() shouldBe null
         }
 
+        test("gives none while too many events wait, and loses none for that") {
+            var isCrowded = true
+            val handOver = EveryHandOver({ isCrowded }) { error(it) }
+            (1L..3).forEach { handOver.put(snapshot(it)) }
+            handOver.isReady() shouldBe false
+            handOver.take() shouldBe null
+            isCrowded = false
+            handOver.take()?.receivedNanos shouldBe 1
+            isCrowded = true
+            handOver.drain().map { it.receivedNanos } shouldBe listOf(2L, 3L)
+        }
+
         test("is bounded, and says so once") {
             val warnings = ArrayList<String>()
             val handOver = EveryHandOver { warnings += it }
