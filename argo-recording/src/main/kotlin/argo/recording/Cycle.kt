@@ -109,6 +109,8 @@ data class Mail(
     val inReplyTo: String? = null,
     @Holds("why it could not be sent; missing: it was sent")
     val failure: String? = null,
+    @Holds("the annotations of the failed plan besides error_msg, such as error(receiver_not_found)")
+    val errors: List<String> = emptyList(),
 )
 
 /** An order to the agent, from a person or from the agent's last run. */

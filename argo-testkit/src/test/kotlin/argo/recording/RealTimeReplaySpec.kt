@@ -95,6 +95,22 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
+    test("a message to an agent that does not exist, whose failure has the annotations of Jason's own") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent(
+                "caller",
+                """
+                !start.
+                +!start <- .send(nobody, tell, hello).
+                -!start[error(receiver_not_found),agent_not_found(A)] <- .print(A); +missed(A).
+                """.trimIndent(),
+            )
+            runBlocking { mas.awaitBelief("caller", "missed(nobody)") }
+        }
+        shouldReplay(file)
+    }
+
     test("what shows where the program lies: errors, labels of plans, and plans that are told") {
         val file = recordingFile()
         LiveMas(file).use { mas ->

@@ -67,6 +67,18 @@ internal fun evaluationFailed(failure: CallFailure): Exception =
 
 private const val NO_VALUE = "no_value"
 
+/** Returns the annotations that [failed] gives the plan that it makes fail, without the message. */
+internal fun errorsOf(failed: JasonException): List<String> =
+    failed.errorTerms.filterNot { it is Structure && it.functor == "error_msg" }.map(::textOf)
+
+/** Returns an exception that makes a plan fail with [message] and with the annotations [errors]; without any, with Jason's usual error. */
+internal fun exceptionOf(message: String, errors: List<String>): JasonException {
+    val terms = errors.map { termOf(it) }
+    val error = terms.firstOrNull() as? Structure
+    if (error?.functor != "error" || error.arity != 1) return JasonException(message)
+    return JasonException(message, error.getTerm(0)).apply { terms.drop(1).forEach(::addErrorAnnot) }
+}
+
 internal fun callFailure(failed: JasonException) = CallFailure(
     (failed.errorTerms.firstOrNull() as? Structure)?.terms?.firstOrNull()?.let(::textOf).orEmpty(), failed.message.orEmpty(),
 )

@@ -38,6 +38,7 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
+import argo.recording.agent.errorsOf
 import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
 import argo.recording.agent.given
@@ -380,7 +381,7 @@ internal class Recorder(
             live()
             agent.course.sent(mail.copy(sender = message.sender))
         } catch (failed: JasonException) {
-            agent.course.sent(mail.copy(sender = message.sender, failure = failed.message.orEmpty()))
+            agent.course.sent(mail.copy(sender = message.sender, failure = failed.message.orEmpty(), errors = errorsOf(failed)))
             throw failed
         } finally {
             agent.now.isSending = false

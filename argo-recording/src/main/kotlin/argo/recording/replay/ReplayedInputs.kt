@@ -24,12 +24,12 @@ import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.contentOf
+import argo.recording.agent.exceptionOf
 import argo.recording.agent.literalOf
 import argo.recording.agent.mailOf
 import argo.recording.agent.orderOf
 import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
-import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
@@ -214,8 +214,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         val now = mailOf(message)
         val recorded = answers.sent(now)
         recorded?.let { ids[it.id] = message.msgId }
-        course.sent(now.copy(failure = recorded?.failure))
-        recorded?.failure?.let { throw JasonException(it) }
+        course.sent(now.copy(failure = recorded?.failure, errors = recorded?.errors.orEmpty()))
+        recorded?.failure?.let { throw exceptionOf(it, recorded.errors) }
     }
 
     override fun canSleep(live: () -> Boolean): Boolean = sleep.removeFirstOrNull() != 'n' && !answers.isHeldAwake
