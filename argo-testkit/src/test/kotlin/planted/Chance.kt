@@ -49,6 +49,11 @@ class order : SourceOfChance({
 /** Takes a number that a thread has set. */
 class counted : SourceOfChance({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
 
+/** Has a mistake, as a program in Java may have. */
+class mistaken : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = error("the mistake")
+}
+
 /** Counts its calls in the whole program. */
 class calls : SourceOfChance(CALLS::incrementAndGet) {
     companion object {

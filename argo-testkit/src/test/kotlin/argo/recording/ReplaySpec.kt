@@ -129,6 +129,20 @@ class ReplaySpec : FunSpec({
         )
     }
 
+    test("mistakes in the project's actions, whether they are carried out again or not") {
+        val file = recorded(
+            """
+            !start. !look.
+            +!start <- planted.mistaken.
+            -!start[error(E),error_msg(M)] <- .print(E, M).
+            +!look : planted.mistaken <- .print(yes).
+            +!look <- .print(no).
+            """.trimIndent(),
+        ) { after(300.milliseconds) }
+        shouldReplay(file)
+        shouldReplay(file, isChecking = true)
+    }
+
     test("messages that wait in the mailbox, of which an agent reads one in a cycle") {
         shouldReplay(
             recorded("!start. +!start <- argo.port(ttyACM0). +go(N) <- .count(told(_), C); .print(N, C).") {

@@ -56,4 +56,14 @@ object AwaitedOutside {
     }
 }
 
-internal fun CallFailure.exception(): JasonException = AwaitedOutside.exceptionOf(error, message)
+internal fun CallFailure.exception(): Exception =
+    if (error == THROWN) Thrown(message) else AwaitedOutside.exceptionOf(error, message)
+
+/** Returns the failure of an action that has thrown [broken], which is no exception of Jason's. */
+internal fun thrownFailure(broken: Exception) = CallFailure(THROWN, "${broken.message}")
+
+/** A recorded exception that is no exception of Jason's. Jason logs it. A stack trace would be that of the replay. */
+private class Thrown(message: String) : RuntimeException(message, null, false, false)
+
+/** Marks a failure by an exception that is no exception of Jason's. No error of an action has this text, since it is no term. */
+private const val THROWN = "#thrown"

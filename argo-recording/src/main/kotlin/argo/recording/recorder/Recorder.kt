@@ -44,6 +44,7 @@ import argo.recording.agent.failureOf
 import argo.recording.agent.given
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
+import argo.recording.agent.thrownFailure
 import argo.recording.agent.triggerText
 import argo.recording.agent.watch
 import jason.JasonException
@@ -288,6 +289,9 @@ internal class Recorder(
         } catch (failed: JasonException) {
             note.failure = callFailure(failed)
             throw failed
+        } catch (broken: Exception) { // a mistake in an action: Jason logs it, and the plan fails
+            note.failure = thrownFailure(broken)
+            throw broken
         } finally {
             agent.now.underWay = around
         }

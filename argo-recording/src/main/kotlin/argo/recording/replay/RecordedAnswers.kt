@@ -11,6 +11,7 @@ import argo.recording.agent.UnrecordableTerm
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
+import argo.recording.agent.thrownFailure
 import jason.JasonException
 import jason.asSemantics.Unifier
 import jason.asSyntax.Term
@@ -96,8 +97,8 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             }
         } catch (failed: JasonException) {
             "${callFailure(failed)}"
-        } catch (broken: RuntimeException) {
-            "$broken"
+        } catch (broken: Exception) {
+            "${thrownFailure(broken)}"
         }
         val before = recorded.failure?.toString() ?: if (recorded.answers.isEmpty()) NOT_TRUE else recorded.answers.toString()
         if (normal(before) == normal(now)) return
