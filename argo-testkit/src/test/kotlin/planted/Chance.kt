@@ -187,6 +187,9 @@ class Counted(platform: Platform) : Arch(platform) {
     }
 }
 
+/** An architecture of a project, as most are, that takes no platform. */
+class Plain : Arch()
+
 /** A class that a replay must never instantiate. */
 class Bomb : java.io.Serializable {
     init {

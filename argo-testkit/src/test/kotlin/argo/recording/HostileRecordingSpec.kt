@@ -203,6 +203,12 @@ class HostileRecordingSpec : FunSpec({
         planted.Counted.made shouldBe 2
     }
 
+    test("an architecture of the project that no replay can make is told, with the remedy") {
+        val file = made("!start.", mapOf("archClass" to planted.Plain::class.java.name))
+        shouldThrow<RecordingException> { replayOf(file, isChecking = true) }.message shouldContain
+            "add a constructor public Plain(argo.platform.Platform platform) { super(platform); }"
+    }
+
     test("options that would begin a server or another recording") {
         val before = Thread.getAllStackTraces().keys.map { it.name }.toSet()
         val options = mapOf("option.argo_view" to "0", "option.argo_ros" to "127.0.0.1:9090", "option.argo_record" to "$folder/x.mcap")

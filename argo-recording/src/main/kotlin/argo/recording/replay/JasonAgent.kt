@@ -58,7 +58,7 @@ internal fun jasonAgent(
     val ts = infra.ts
     includes.running = ts.ag
     infra.insertAgArch(infra)
-    val arch = archType.getConstructor(Platform::class.java).newInstance(ReplayPlatform(boundary))
+    val arch = newArch(recorded, archType, ReplayPlatform(boundary))
     arch.ts = ts
     infra.insertAgArch(arch)
     arch.init()
@@ -166,6 +166,19 @@ private fun archType(recorded: RecordedAgent, isCarryingOut: Boolean): Class<out
     )
     if (Arch::class.java.isAssignableFrom(type)) return type.asSubclass(Arch::class.java)
     throw RecordingException("agent ${recorded.name} had the architecture $name, which is not argo.Arch")
+}
+
+private fun newArch(recorded: RecordedAgent, type: Class<out Arch>, platform: Platform): Arch {
+    val constructor = type.constructors.find { it.parameterTypes.contentEquals(arrayOf(Platform::class.java)) }
+        ?: throw RecordingException(
+            "agent ${recorded.name} had the architecture ${type.name}, to which a replay cannot give its platform without ports: add a " +
+                "constructor public ${type.simpleName}(argo.platform.Platform platform) { super(platform); }",
+        )
+    return try {
+        constructor.newInstance(platform) as Arch
+    } catch (broken: ReflectiveOperationException) {
+        throw RecordingException("the architecture ${type.name} of agent ${recorded.name} cannot be made: ${broken.cause ?: broken}")
+    }
 }
 
 /** Returns the class [type] without initializing it; null if it is not on the class path. */
