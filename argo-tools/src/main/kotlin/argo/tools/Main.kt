@@ -20,6 +20,7 @@ import kotlin.system.exitProcess
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
+    System.setOut(System.err) // only results go to the standard output; agents in a replay and code of projects may print to System.out
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 

@@ -140,6 +140,16 @@ class ReplayAgentsSpec : FunSpec({
         beliefs.map { it.jsonPrimitive.content.substringBefore("[") } shouldContain "far(50)"
     }
 
+    test("--json is data, too, if an agent prints past its log") {
+        val quiet = recorded("quiet", "!start. +!start <- .verbose(0); .print(hello).") { after(300.milliseconds) }
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val tool = listOf(java, "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt")
+        val process = ProcessBuilder(tool + listOf("replay", "$quiet", "--json")).start()
+        val printed = process.inputReader().readText()
+        process.errorReader().readText() shouldContain "hello"
+        Json.parseToJsonElement(printed).jsonObject.getValue("identical").jsonPrimitive.boolean shouldBe true
+    }
+
     test("an action of the project is not carried out again but by --check, which names one whose result is another each time") {
         val said = argo("replay", "$chance")
         said.status shouldBe 0
