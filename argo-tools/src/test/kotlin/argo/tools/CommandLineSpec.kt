@@ -40,6 +40,7 @@ class CommandLineSpec : FunSpec({
         listOf(
             "" to "name a command: ports, describe, monitor",
             "fly" to "there is no command 'fly'; there are: ports",
+            "-- ports" to "'ports' stands behind --, where no command does; leave -- out",
             "port" to "there is no command 'port'; did you mean ports? there are: ports",
             "chekc x" to "there is no command 'chekc'; did you mean check? there are: ports",
             "filter chek f.xml" to "there is no command 'chek'; did you mean check? there are: check",
@@ -79,6 +80,12 @@ class CommandLineSpec : FunSpec({
                 said.out.shouldBeEmpty()
             }
         }
+    }
+
+    test("an empty command is refused, as argo.act refuses it") {
+        val said = argo("send", "sim:x", "")
+        said.status shouldBe 2
+        said.err shouldContain "a command has at least one character"
     }
 
     test("a name that no file can have is refused with what may be the reason") {

@@ -62,6 +62,7 @@ internal class RequestCommand : MessageCommand() {
 )
 internal class SendCommand : MessageCommand() {
     override fun check() {
+        if (message.isEmpty()) misuse("a command has at least one character")
         if (!PerceptsRequest.isIn(message)) return
         misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
     }

@@ -58,6 +58,7 @@ private fun reason(wrong: ParameterException, kind: String): String? {
         }
         surplus == null -> wrong.message
         commands.isEmpty() -> "'$surplus' is one argument too many"
+        surplus in commands -> "'$surplus' stands behind --, where no command does; leave -- out"
         else -> {
             val meant = closest(surplus, commands)?.let { "did you mean $it? " }.orEmpty()
             "there is no $kind '$surplus'; ${meant}there are: ${commands.joinToString()}"
