@@ -20,8 +20,8 @@ internal interface Description {
 /**
  * The known facts about a board on a serial line.
  *
- * @property actions the actions with their numbers of arguments, such as `ledOn`, `speed/1` or `say/*` for any number. Null if the board
- * does not describe itself
+ * @property actions the actions with their numbers of arguments, such as `ledOn` or `speed/1`. A star in place of the number means any
+ * number. Null if the board does not describe itself
  * @property described the kinds of percepts in the board's own description
  * @property lost the number of actions of the sketch that do not fit into the board's memory
  * @property rules the number of critical rules that the board can hold, or null for version 1
