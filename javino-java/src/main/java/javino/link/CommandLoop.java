@@ -31,7 +31,7 @@ final class CommandLoop {
     private final String port;
     private final Monitor monitor;
     private final FrameWriter writer;
-    private final SessionLine line;
+    private final SharedLine line;
     private final LineClock clock;
     private final Monitor.Change<PortException> start;
     private Long toldNanos; // line.movedNanos() at the last warning that no command gets through
@@ -41,7 +41,7 @@ final class CommandLoop {
             Monitor monitor,
             Transport transport,
             FrameWriter writer,
-            SessionLine line,
+            SharedLine line,
             LineClock clock,
             Monitor.Change<PortException> start) {
         port = transport.name();
@@ -96,7 +96,7 @@ final class CommandLoop {
      */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
-        SessionLine.Outgoing frame = monitor.get(() -> {
+        SharedLine.Outgoing frame = monitor.get(() -> {
             replaced.addAll(writer.submit(command));
             return writer.isWritableNow() ? line.nextAtOnce() : null;
         });

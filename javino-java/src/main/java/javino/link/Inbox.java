@@ -49,12 +49,12 @@ final class Inbox {
     private final WireDecoder version2;
     private final LocalEchoFilter localEchoes = new LocalEchoFilter();
     private final StrayBytes.Gatherer stray = new StrayBytes.Gatherer();
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final Listener listener;
     private boolean isBeingRead;
     private volatile long lastByteNanos;
 
-    Inbox(Monitor monitor, Transport transport, LineClock clock, KnownBoard board, Listener listener) {
+    Inbox(Monitor monitor, Transport transport, LineClock clock, BoardStatus board, Listener listener) {
         this.monitor = monitor;
         this.transport = transport;
         this.clock = clock;

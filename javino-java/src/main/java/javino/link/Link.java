@@ -63,8 +63,8 @@ public final class Link implements AutoCloseable {
     private final PortOwners.Claim claim;
     private final LineClock clock;
     private final FrameWriter writer;
-    private final SessionLine line;
-    private final KnownBoard board;
+    private final SharedLine line;
+    private final BoardStatus board;
     private final RequestChannel channel; // used only by the thread that holds the lock reading
     private final CommandLoop commands;
     private volatile long exchangeNanos; // duration of the last exchange
@@ -79,7 +79,7 @@ public final class Link implements AutoCloseable {
         reading = clock.newLock(true); // fair: a sender that waits for the board's start also gets the lock
         Monitor monitor = new Monitor(clock, transport.name());
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
-        line = new SessionLine(monitor, transport, clock, writer, settings);
+        line = new SharedLine(monitor, transport, clock, writer, settings);
         board = line.board();
         channel = new RequestChannel(line, writer, clock, settings);
         answeredNanos = clock.nanos();

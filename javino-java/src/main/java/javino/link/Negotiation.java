@@ -20,16 +20,16 @@ final class Negotiation {
     private static final int HELLOS_BEHIND_NOISE = 5;
     private static final long REPEAT_NANOS = TimeUnit.MILLISECONDS.toNanos(Version1Requests.REPEAT_MILLIS);
 
-    private final SessionLine line;
+    private final SharedLine line;
     private final FrameWriter writer;
     private final Version1Requests version1;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final LineClock clock;
     private final long helloNanos;
     private boolean hasNoise; // stray bytes came in place of WELCOME
 
     Negotiation(
-            SessionLine line, FrameWriter writer, Version1Requests version1, LineClock clock, LinkSettings settings) {
+            SharedLine line, FrameWriter writer, Version1Requests version1, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.writer = writer;
         this.version1 = version1;

@@ -18,9 +18,9 @@ final class RequestChannel {
     private static final Frame KINDS_REQUEST = Frame.of(PerceptsRequest.KINDS);
     private static final int REQUEST_BYTES = 50;
 
-    private final SessionLine line;
+    private final SharedLine line;
     private final LineClock clock;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final Version2Session session;
     private final Version1Requests version1;
     private final Negotiation negotiation;
@@ -28,7 +28,7 @@ final class RequestChannel {
     private final long byteNanos;
     private volatile boolean isListening;
 
-    RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
+    RequestChannel(SharedLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.clock = clock;
         board = line.board();

@@ -13,7 +13,7 @@ final class Version1Commands {
 
     private final FrameWriter writer;
     private final Inbox inbox;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final LineReports reports;
     private final String port;
     private Command underWay;
@@ -26,7 +26,7 @@ final class Version1Commands {
     private boolean hasToldSlowBoard;
     private volatile long movedNanos;
 
-    Version1Commands(FrameWriter writer, Inbox inbox, KnownBoard board, LineReports reports, String port, long now) {
+    Version1Commands(FrameWriter writer, Inbox inbox, BoardStatus board, LineReports reports, String port, long now) {
         this.writer = writer;
         this.inbox = inbox;
         this.board = board;
@@ -75,7 +75,7 @@ final class Version1Commands {
     }
 
     /** Returns the command that may go out now, or null. The caller then calls {@link #written} or {@link #fail}. */
-    SessionLine.Outgoing next() {
+    SharedLine.Outgoing next() {
         if (nanosUntilBegin() > 0) {
             return null;
         }
@@ -90,7 +90,7 @@ final class Version1Commands {
         }
         warnOfSlowBoard();
         inbox.sends(underWay.frame());
-        return new SessionLine.Outgoing(underWay.frame().toBytes(), underWay);
+        return new SharedLine.Outgoing(underWay.frame().toBytes(), underWay);
     }
 
     private void warnOfSlowBoard() {

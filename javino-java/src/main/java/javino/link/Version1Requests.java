@@ -18,13 +18,13 @@ final class Version1Requests {
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller waits for messages that the board sends unasked
     private boolean isForAction; // the request only precedes an action; nobody wants the answer
     private Reply overheard; // answer to such a request, kept for a caller that listens, or null
 
-    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStatus board) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;

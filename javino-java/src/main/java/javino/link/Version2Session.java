@@ -26,7 +26,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private final Monitor monitor;
     private final LineClock clock;
     private final FrameWriter writer;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final LineReports reports;
     private final String port;
     private final int answerLimit;
@@ -50,7 +50,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
             Monitor monitor,
             LineClock clock,
             FrameWriter writer,
-            KnownBoard board,
+            BoardStatus board,
             LineReports reports,
             String port,
             LinkSettings settings) {
@@ -145,7 +145,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     }
 
     /** Returns the frame to write now, or null. The frame keeps its session's nonce even if another session begins before the write. */
-    SessionLine.Outgoing next(long now) {
+    SharedLine.Outgoing next(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
             return null;
@@ -153,7 +153,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         if (frame.kind() == FrameKind.ASK && askedBehind == NONE) {
             askedBehind = writer.written();
         }
-        return new SessionLine.Outgoing(frame.toBytes(session.nonce()), null);
+        return new SharedLine.Outgoing(frame.toBytes(session.nonce()), null);
     }
 
     void wrote(long leavesAt) {

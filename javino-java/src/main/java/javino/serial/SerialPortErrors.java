@@ -21,7 +21,8 @@ final class SerialPortErrors {
     private SerialPortErrors() {}
 
     static PortException cannotOpen(SerialDevice device, int code, List<String> ports) {
-        OpenFailure failure = device.hasNode() ? OpenFailure.posix(code, device.exists()) : OpenFailure.windows(code);
+        DriverErrorCode failure =
+                device.hasNode() ? DriverErrorCode.posix(code, device.exists()) : DriverErrorCode.windows(code);
         return switch (failure) {
             case NO_SUCH_PORT -> noSuchPort(device, ports);
             case BUSY -> new PortBusyException(device.name(), holders(device));

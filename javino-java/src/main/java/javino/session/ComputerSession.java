@@ -44,7 +44,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private final Nonces nonces;
     private final Window<C> window = new Window<>();
     private final RetransmissionTime timeout = new RetransmissionTime();
-    private final Requests requests;
+    private final PerceptRequests requests;
     private final Vocabulary vocabulary = new Vocabulary();
 
     private State state = State.CLOSED;
@@ -75,7 +75,7 @@ public final class ComputerSession<C extends SessionCommand> {
         this.answerLimit = answerLimit;
         this.listener = listener;
         nonces = new Nonces(random);
-        requests = new Requests(byteNanos);
+        requests = new PerceptRequests(byteNanos);
     }
 
     /** Returns the session's nonce. The checksums of the session's frames contain the nonce. Returns 0 if there is no session. */

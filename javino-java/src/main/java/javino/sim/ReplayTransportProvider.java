@@ -24,7 +24,7 @@ public final class ReplayTransportProvider implements TransportProvider {
     public Transport open(String address, LineSettings line) throws PortException {
         String port = port(address);
         try {
-            return new BoardSocket(port, ReplayBoard.of(LineRecording.read(Path.of(address)))).open(line);
+            return new PluggedBoard(port, ReplayBoard.of(LineRecording.read(Path.of(address)))).open(line);
         } catch (NoSuchFileException | InvalidPathException e) {
             throw new NoSuchPortException(
                     port,

@@ -21,7 +21,7 @@ public final class SimulatedBoards {
     /** The scheme of the ports of simulated boards. */
     public static final String SCHEME = "sim";
 
-    private static final Map<String, BoardSocket> SOCKETS = new ConcurrentSkipListMap<>();
+    private static final Map<String, PluggedBoard> SOCKETS = new ConcurrentSkipListMap<>();
     private static final Set<Class<?>> SERVICES_SEEN = new HashSet<>(); // guarded by this class
 
     private SimulatedBoards() {}
@@ -36,7 +36,7 @@ public final class SimulatedBoards {
         if (name.isBlank()) {
             throw new IllegalArgumentException("a simulated board needs a name");
         }
-        BoardSocket other = SOCKETS.putIfAbsent(name, new BoardSocket(portName(name), board));
+        PluggedBoard other = SOCKETS.putIfAbsent(name, new PluggedBoard(portName(name), board));
         if (other != null) {
             throw new IllegalStateException("a board " + portName(name) + " is plugged in already; unplug it first");
         }
@@ -48,7 +48,7 @@ public final class SimulatedBoards {
      * @return whether there was a board with this name
      */
     public static boolean unplug(String name) {
-        BoardSocket socket = SOCKETS.remove(name);
+        PluggedBoard socket = SOCKETS.remove(name);
         if (socket == null) {
             return false;
         }
@@ -64,13 +64,13 @@ public final class SimulatedBoards {
 
     /** Returns whether the program of the board with this name runs, or is about to run. */
     static boolean isRunning(String name) {
-        BoardSocket socket = SOCKETS.get(name);
+        PluggedBoard socket = SOCKETS.get(name);
         return socket != null && socket.isRunning();
     }
 
     static Transport open(String name, LineSettings line) throws PortException {
         plugInServices();
-        BoardSocket socket = SOCKETS.get(name);
+        PluggedBoard socket = SOCKETS.get(name);
         if (socket == null) {
             throw new NoSuchPortException(
                     portName(name), "there is no simulated board " + portName(name) + "; " + present(names()));
@@ -90,7 +90,7 @@ public final class SimulatedBoards {
     }
 
     private static void plugInService(SimulatedBoard board) {
-        BoardSocket other = SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
+        PluggedBoard other = SOCKETS.putIfAbsent(board.name(), new PluggedBoard(portName(board.name()), board));
         if (other != null) {
             Services.leftOut(board.getClass(), portName(board.name()), other.boardClass());
         }

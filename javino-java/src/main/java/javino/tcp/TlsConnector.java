@@ -29,7 +29,7 @@ final class TlsConnector {
     private final TcpAddress address;
     private final TlsFolder folder;
     private final int limitMillis;
-    private final PinnedBoard board;
+    private final PinnedCertificate board;
     private final OwnCertificate own;
     private final SSLContext context;
 
@@ -39,7 +39,7 @@ final class TlsConnector {
         this.address = address;
         this.folder = folder;
         this.limitMillis = limitMillis;
-        board = new PinnedBoard(folder, address, new Date());
+        board = new PinnedCertificate(folder, address, new Date());
         own = new OwnCertificate(folder.computer());
         context = SSLContext.getInstance("TLS");
         context.init(new KeyManager[] {own}, new TrustManager[] {board}, null);

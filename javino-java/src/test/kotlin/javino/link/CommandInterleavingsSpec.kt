@@ -48,7 +48,7 @@ private class CommandLine {
     val transport = TakingLine()
     private val monitor = Monitor(time, transport.name())
     val writer = FrameWriter(monitor, transport, Pacer(settings, 0), time)
-    val line = SessionLine(monitor, transport, time, writer, settings)
+    val line = SharedLine(monitor, transport, time, writer, settings)
     val commands = CommandLoop(monitor, transport, writer, line, time) { }
 
     val taken get() = transport.taken.toList()

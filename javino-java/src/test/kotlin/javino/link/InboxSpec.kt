@@ -20,7 +20,7 @@ private const val PAST = Long.MIN_VALUE / 4
 
 internal fun inboxOn(line: Transport, clock: LineClock, listener: Inbox.Listener = Inbox.Listener { _, _ -> }): Inbox {
     val monitor = Monitor(clock, line.name())
-    return Inbox(monitor, line, clock, KnownBoard(monitor, clock, LinkSettings.defaults().withProtocol(Protocol.V1)), listener)
+    return Inbox(monitor, line, clock, BoardStatus(monitor, clock, LinkSettings.defaults().withProtocol(Protocol.V1)), listener)
 }
 
 /** An inbox on a line in memory. The test holds the far end. */

@@ -81,7 +81,7 @@ private class Session {
     private val transport = AnsweringLine(board)
     private val monitor = Monitor(time, transport.name())
     private val writer = FrameWriter(monitor, transport, Pacer(settings, 0), time)
-    private val line = SessionLine(monitor, transport, time, writer, settings)
+    private val line = SharedLine(monitor, transport, time, writer, settings)
     private val commands = CommandLoop(monitor, transport, writer, line, time) { }
 
     val carriedOut get() = board.carriedOut.toList()

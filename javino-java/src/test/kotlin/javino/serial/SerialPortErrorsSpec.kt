@@ -50,20 +50,20 @@ class SerialPortErrorsSpec : FunSpec({
     }
 
     test("the driver's codes say what is wrong") {
-        OpenFailure.posix(2, false) shouldBe OpenFailure.NO_SUCH_PORT
-        OpenFailure.posix(2, true) shouldBe OpenFailure.OPEN_IN_THIS_PROGRAM
-        OpenFailure.posix(13, true) shouldBe OpenFailure.NO_PERMISSION
-        OpenFailure.posix(1, true) shouldBe OpenFailure.NO_PERMISSION
-        OpenFailure.posix(16, true) shouldBe OpenFailure.BUSY
-        OpenFailure.posix(11, true) shouldBe OpenFailure.BUSY
-        OpenFailure.posix(35, true) shouldBe OpenFailure.BUSY
-        OpenFailure.posix(25, true) shouldBe OpenFailure.NO_SUCH_PORT
-        OpenFailure.posix(5, true) shouldBe OpenFailure.NO_SUCH_PORT
-        OpenFailure.posix(22, true) shouldBe OpenFailure.OTHER
-        OpenFailure.posix(22, false) shouldBe OpenFailure.NO_SUCH_PORT
-        OpenFailure.windows(2) shouldBe OpenFailure.NO_SUCH_PORT
-        OpenFailure.windows(5) shouldBe OpenFailure.BUSY
-        OpenFailure.windows(31) shouldBe OpenFailure.OTHER
+        DriverErrorCode.posix(2, false) shouldBe DriverErrorCode.NO_SUCH_PORT
+        DriverErrorCode.posix(2, true) shouldBe DriverErrorCode.OPEN_IN_THIS_PROGRAM
+        DriverErrorCode.posix(13, true) shouldBe DriverErrorCode.NO_PERMISSION
+        DriverErrorCode.posix(1, true) shouldBe DriverErrorCode.NO_PERMISSION
+        DriverErrorCode.posix(16, true) shouldBe DriverErrorCode.BUSY
+        DriverErrorCode.posix(11, true) shouldBe DriverErrorCode.BUSY
+        DriverErrorCode.posix(35, true) shouldBe DriverErrorCode.BUSY
+        DriverErrorCode.posix(25, true) shouldBe DriverErrorCode.NO_SUCH_PORT
+        DriverErrorCode.posix(5, true) shouldBe DriverErrorCode.NO_SUCH_PORT
+        DriverErrorCode.posix(22, true) shouldBe DriverErrorCode.OTHER
+        DriverErrorCode.posix(22, false) shouldBe DriverErrorCode.NO_SUCH_PORT
+        DriverErrorCode.windows(2) shouldBe DriverErrorCode.NO_SUCH_PORT
+        DriverErrorCode.windows(5) shouldBe DriverErrorCode.BUSY
+        DriverErrorCode.windows(31) shouldBe DriverErrorCode.OTHER
     }
 
     test("a missing port is told with where it was looked for and which ports there are") {

@@ -97,7 +97,7 @@ class SimulatedBoardsSpec : FunSpec({
     }
 
     test("a board that is unplugged while it is opened does not run") {
-        val socket = BoardSocket("sim:late") { error("runs") }
+        val socket = PluggedBoard("sim:late") { error("runs") }
         socket.unplug() // another thread has found the socket and opens it after this
         shouldThrow<NoSuchPortException> { socket.open(LineSettings.defaults()) }.port() shouldBe "sim:late"
         socket.isRunning shouldBe false

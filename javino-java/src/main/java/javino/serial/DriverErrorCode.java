@@ -3,7 +3,7 @@ package javino.serial;
 import java.util.Set;
 
 /** The meaning of a driver's error code for a device that could not be opened. */
-enum OpenFailure {
+enum DriverErrorCode {
     NO_SUCH_PORT,
     BUSY,
     OPEN_IN_THIS_PROGRAM,
@@ -24,7 +24,7 @@ enum OpenFailure {
             Set.of(5 /* ERROR_ACCESS_DENIED */, 32 /* ERROR_SHARING_VIOLATION */);
 
     /** @param exists whether the device's file exists */
-    static OpenFailure posix(int code, boolean exists) {
+    static DriverErrorCode posix(int code, boolean exists) {
         if (code == POSIX_ENOENT) {
             // jSerialComm also uses code 2 if this program already has the port open
             return exists ? OPEN_IN_THIS_PROGRAM : NO_SUCH_PORT;
@@ -35,7 +35,7 @@ enum OpenFailure {
         return POSIX_NOT_ALLOWED.contains(code) ? NO_PERMISSION : POSIX_BUSY.contains(code) ? BUSY : OTHER;
     }
 
-    static OpenFailure windows(int code) {
+    static DriverErrorCode windows(int code) {
         return WINDOWS_NO_DEVICE.contains(code) ? NO_SUCH_PORT : WINDOWS_BUSY.contains(code) ? BUSY : OTHER;
     }
 }

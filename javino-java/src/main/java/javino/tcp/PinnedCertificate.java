@@ -20,8 +20,8 @@ import javax.net.ssl.X509ExtendedTrustManager;
  * has no certificate of the board, trusts the certificate that the board shows. {@link #pin} then stores this certificate. The messages
  * of exceptions are for a person.
  */
-final class PinnedBoard extends X509ExtendedTrustManager {
-    private static final System.Logger LOG = System.getLogger(PinnedBoard.class.getName());
+final class PinnedCertificate extends X509ExtendedTrustManager {
+    private static final System.Logger LOG = System.getLogger(PinnedCertificate.class.getName());
 
     private final TlsFolder folder;
     private final TcpAddress address;
@@ -29,7 +29,7 @@ final class PinnedBoard extends X509ExtendedTrustManager {
     private final Date now;
     private X509Certificate shown;
 
-    PinnedBoard(TlsFolder folder, TcpAddress address, Date now) throws IOException {
+    PinnedCertificate(TlsFolder folder, TcpAddress address, Date now) throws IOException {
         this.folder = folder;
         this.address = address;
         this.expected = folder.boardAt(address);

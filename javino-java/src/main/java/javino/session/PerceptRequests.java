@@ -10,7 +10,7 @@ import javino.wire.WireFrame;
  * Asks for percepts and reads the answers. Repeats a request if its answer is damaged, or takes longer than twice the smoothed time of
  * earlier answers. Takes the first answer to any request since the last answer.
  */
-final class Requests {
+final class PerceptRequests {
     private static final int NUMBERS = 255;
     private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
@@ -41,7 +41,7 @@ final class Requests {
     private long lastByteAt;
     private int bytes; // length of the newest request; 0 if it is answered
 
-    Requests(long byteNanos) {
+    PerceptRequests(long byteNanos) {
         quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);
     }
 

@@ -10,8 +10,8 @@ import javino.PortInterruptedException;
 import javino.Transport;
 
 /** Runs a simulated board's program while its port is open, one run at a time. */
-final class BoardSocket {
-    private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
+final class PluggedBoard {
+    private static final System.Logger LOG = System.getLogger(PluggedBoard.class.getName());
     private static final long LAST_RUN_MILLIS = 2_000;
 
     private final ReentrantLock opening = new ReentrantLock();
@@ -20,7 +20,7 @@ final class BoardSocket {
     private volatile Run current; // the latest run, even if it has ended
     private volatile boolean unplugged;
 
-    BoardSocket(String port, SimulatedBoard board) {
+    PluggedBoard(String port, SimulatedBoard board) {
         this.port = port;
         this.board = board;
     }

@@ -10,7 +10,7 @@ import javino.wire.Welcome;
  * Tracks whether the board at the other end runs, and which version of the protocol it speaks. Opening a port may restart its board. Safe
  * on any thread. The version changes only under the line's lock.
  */
-final class KnownBoard {
+final class BoardStatus {
     private static final int NONE = -1;
 
     private final Monitor monitor;
@@ -25,7 +25,7 @@ final class KnownBoard {
     private volatile int otherRevision = NONE; // revision of version 2 that this program cannot speak
 
     /** @param settings the link's settings; {@link LinkSettings#bootMillis()} begin now */
-    KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {
+    BoardStatus(Monitor monitor, LineClock clock, LinkSettings settings) {
         this.monitor = monitor;
         this.clock = clock;
         wanted = settings.protocol();

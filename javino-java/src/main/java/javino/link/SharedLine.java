@@ -14,7 +14,7 @@ import javino.Transport;
  * threads: it writes frames that are due, and reads if no other thread reads. The thread that first sees an outcome or a report passes it
  * on. Safe on any thread. Holds no lock while it reads, writes, or passes a report on.
  */
-final class SessionLine {
+final class SharedLine {
     /** The longest single read during a write. Another frame may be due right after the write. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
@@ -26,7 +26,7 @@ final class SessionLine {
     private final Monitor monitor;
     private final LineClock clock;
     private final FrameWriter writer;
-    private final KnownBoard board;
+    private final BoardStatus board;
     private final LineReports reports = new LineReports();
     private final Inbox inbox;
     private final Version2Session session;
@@ -36,17 +36,17 @@ final class SessionLine {
     /** A frame to write, with its command of version 1. The command is null for a session's frame. */
     record Outgoing(byte[] frame, Command command) {}
 
-    SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
+    SharedLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
         this.monitor = monitor;
         this.clock = clock;
         this.writer = writer;
-        board = new KnownBoard(monitor, clock, settings);
+        board = new BoardStatus(monitor, clock, settings);
         session = new Version2Session(monitor, clock, writer, board, reports, transport.name(), settings);
         inbox = new Inbox(monitor, transport, clock, board, session);
         version1 = new Version1Commands(writer, inbox, board, reports, transport.name(), clock.nanos());
     }
 
-    KnownBoard board() {
+    BoardStatus board() {
         return board;
     }
 
