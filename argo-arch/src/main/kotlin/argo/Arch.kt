@@ -7,12 +7,12 @@ import argo.boundary.CompletionInbox
 import argo.boundary.Live
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
-import argo.hand.Hand
-import argo.hand.Reloading
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.Observers
 import argo.observing.Order
+import argo.orders.Orders
+import argo.orders.Reloading
 import argo.pausing.AgentPausing
 import argo.pausing.PauseWorld
 import argo.pausing.SafeCommand
@@ -68,11 +68,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private val mailLive = { super.checkMail() }
     private val holdLive = { pausing.isHolding() }
     private val sleepLive = {
-        super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && pausing.maySleep() && waker.maySleep()
+        super.canSleep() && !perception.hasNews() && !environment.isWaiting() && orders.isEmpty() && pausing.maySleep() && waker.maySleep()
     }
-    private val ordersLive = { hand.takeAll() }
+    private val ordersLive = { orders.takeAll() }
     private val carryOut: (Order) -> Unit = { order ->
-        if (order is Order.Reload) pausing.exchanging { hand.carryOut(order, ts) } else hand.carryOut(order, ts)
+        if (order is Order.Reload) pausing.exchanging { orders.carryOut(order, ts) } else orders.carryOut(order, ts)
         resuming?.ordered()
     }
 
@@ -84,7 +84,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal val awaited = AwaitedWork()
 
     /** Receives a person's orders to the agent. Available from [init] on. */
-    internal lateinit var hand: Hand
+    internal lateinit var orders: Orders
         private set
 
     /** Holds the requests of observers to the agent. Available from [init] on. */
@@ -131,9 +131,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
         pausing = AgentPausing(refusalToPause(architectures(ts)), ts, pauseWorld(options), log) { boundary.asking(it) }
-        hand = Hand(log) { seen -> if (!pausing.meanwhile(::takeOrders)) waker.wake(seen) }
+        orders = Orders(log) { seen -> if (!pausing.meanwhile(::takeOrders)) waker.wake(seen) }
         requests = CompletionInbox(::wakeForRequest)
-        reloading = Reloading(ts, boards, hand, ::perceiveThrough)
+        reloading = Reloading(ts, boards, orders, ::perceiveThrough)
         observed = ObservedArch(this, waker, platform)
         resuming = options.resume?.let { Resuming.open(this, it, platform, log) }
         observing = Observers(options.observers.open(observed) + listOfNotNull(resuming), log, platform.clock::nanos)
@@ -195,7 +195,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
      * cycles, waiting orders or requests begin the next cycle. If the agent is paused within a cycle, orders wait.
      */
     private fun takeOrders() {
-        if (isBeginning && !(hand.isEmpty() && requests.isEmpty())) beginCycle()
+        if (isBeginning && !(orders.isEmpty() && requests.isEmpty())) beginCycle()
         doRequests()
     }
 

@@ -86,7 +86,7 @@ internal class ObservedArch(
 
     override fun reload(done: (Outcome) -> Unit) = arch.reloading.reload(emptySet(), done)
     override fun sources() = arch.reloading.sources()
-    override fun order(order: Order, done: (Outcome) -> Unit) = arch.hand.give(order, done = done)
+    override fun order(order: Order, done: (Outcome) -> Unit) = arch.orders.give(order, done = done)
 
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)

@@ -10,7 +10,7 @@ import argo.observing.Outcome
 import argo.observing.PausePhase
 import argo.observing.PauseState
 import argo.platform.Platform
-import argo.resuming.Merged
+import argo.resuming.MergedState
 import argo.resuming.State
 import argo.resuming.StateFile
 import argo.resuming.StateWriter
@@ -76,7 +76,7 @@ internal class Resuming(
         isResumed = state == null
         if (state == null) return
         val awayMs = (wallMs() - state.writtenMs).coerceAtLeast(0)
-        val merged = Merged(state, program)
+        val merged = MergedState(state, program)
         log.info("$name goes on from $file, which was written $awayMs ms ago${merged.told}")
         order(Order.Resume(merged.beliefs + (listOf("$RESUMED$awayMs)") + merged.newBeliefs).map { "+$it" })) { outcome ->
             tell(outcome)

@@ -2,7 +2,7 @@ package argo
 
 import argo.calls.ArgumentException
 import argo.calls.Failure
-import argo.hand.Offer
+import argo.orders.Offer
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Term
 

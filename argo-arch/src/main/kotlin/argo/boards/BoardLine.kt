@@ -8,8 +8,8 @@ import argo.filters.CriticalRule
 import argo.links.BoardMessage
 import argo.links.Wish
 import argo.platform.foreignText
-import argo.sensing.Instants
 import argo.sensing.Sensing
+import argo.sensing.SensingInstants
 import argo.sensing.SensingListener
 import javino.PerceptsRequest
 import javino.PortException
@@ -38,7 +38,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs
 
     override fun nextStart(startNanos: Long) =
-        if (agent.areSeveral) Instants.after(startNanos, TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        if (agent.areSeveral) SensingInstants.after(startNanos, TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         else super.nextStart(startNanos)
 
     override fun isSensed(port: OpenPort) = agent.boardOn(port) != null

@@ -56,7 +56,7 @@ internal class BoardPercepts(
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were last seen. */
-    val lastSeen = LastSeen { board.sensed }
+    val lastSeen = PerceptAges { board.sensed }
 
     /** The active filter's critical rules. */
     @Volatile

@@ -4,7 +4,7 @@ import argo.acting.CommandLedger
 import argo.perception.EarlierWork
 import argo.perception.FreshHandOver
 import argo.perception.Snapshot
-import argo.sensing.Instants
+import argo.sensing.SensingInstants
 import io.kotest.core.spec.style.FunSpec
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
@@ -29,7 +29,7 @@ private class AskedBoard(private val random: Random, begins: Long) {
 
     fun answers() {
         handOver.put(Snapshot(null, emptyList(), emptyList(), emptyList(), arrivesNanos))
-        askedNanos = maxOf(Instants.after(askedNanos, intervalNanos), arrivesNanos)
+        askedNanos = maxOf(SensingInstants.after(askedNanos, intervalNanos), arrivesNanos)
         arrivesNanos = askedNanos + random.nextLong(longestNanos + 1)
     }
 

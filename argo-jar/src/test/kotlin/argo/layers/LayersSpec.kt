@@ -58,11 +58,11 @@ class LayersSpec : FunSpec({
                 "argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links",
                 "argo.observing",
             ),
-        "argo.hand" to
+        "argo.orders" to
             listOf("argo.boards", "argo.perception", "argo.mind", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
         "argo.pausing" to
             listOf(
-                "argo.hand", "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
+                "argo.orders", "argo.boards", "argo.connecting", "argo.acting", "argo.calls", "argo.platform", "argo.insides", "argo.links",
                 "argo.observing",
             ),
     )

@@ -1,6 +1,6 @@
 package argo.testkit
 
-import argo.hand.unreadableAt
+import argo.orders.unreadableAt
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 import java.nio.file.Path

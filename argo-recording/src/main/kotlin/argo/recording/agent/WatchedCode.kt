@@ -2,7 +2,7 @@ package argo.recording.agent
 
 import argo.boundary.InternalCall
 import argo.insides.Insides
-import argo.insides.KeptInclude
+import argo.insides.IncludeDirective
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
@@ -59,7 +59,7 @@ internal class UnknownCodeException(name: String) :
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
     val code = WatchedCode(ts, this).apply { begin() }
     KeptTimers.install()
-    KeptInclude.install()
+    IncludeDirective.install()
     KeptTasks.insertInto(ts, this)
     return code
 }

@@ -1,7 +1,7 @@
 package argo.recording.recorder
 
 import argo.Arch
-import argo.hand.ProgramSource
+import argo.orders.ProgramSource
 import argo.platform.Plans
 import argo.recording.Beginning
 import argo.recording.CONFIG

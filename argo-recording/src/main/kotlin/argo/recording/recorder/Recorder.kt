@@ -8,7 +8,7 @@ import argo.boundary.Perception
 import argo.filters.PerceptionFilter
 import argo.insides.Includes
 import argo.insides.Insides
-import argo.insides.KeptInclude
+import argo.insides.IncludeDirective
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.EndedReflex
@@ -122,7 +122,7 @@ internal class Recorder(
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
         unstored = inCycle
-        KeptInclude.current = this
+        IncludeDirective.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
         refuseForeignBeliefs(agent)
@@ -229,7 +229,7 @@ internal class Recorder(
 
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent? {
         current()?.let {
-            program.include(KeptInclude.fileOf(directive), outer.aslSrc, KeptInclude.placeOf(outer, it.ts.ag))
+            program.include(IncludeDirective.fileOf(directive), outer.aslSrc, IncludeDirective.placeOf(outer, it.ts.ag))
             it.code.included()
         }
         return live()
@@ -421,7 +421,7 @@ internal class Recorder(
     private fun finishCycle(agent: Running, isEnding: Boolean) {
         inCycle = null
         Keeper.current = null
-        KeptInclude.current = null
+        IncludeDirective.current = null
         val course = agent.course.end()
         val now = agent.now
         agent.ts.c.selectedEvent?.takeIf(agent.events::takeSelected)?.let { now.events += triggerText(it.trigger) }

@@ -1,8 +1,8 @@
 package argo.recording.recorder
 
-import argo.hand.ProgramSource
+import argo.insides.IncludeDirective
 import argo.insides.Insides
-import argo.insides.KeptInclude
+import argo.orders.ProgramSource
 import argo.recording.agent.ProgramNames
 import argo.recording.includeMetadata
 import argo.recording.programName
@@ -39,7 +39,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
         foreignDirective(names)?.let { throw IOException(it) }
         for (included in names.includes) {
             val within = outer.takeUnless { included.isInBlock }
-            val file = ProgramSource.included(included.name, within, KeptInclude.sourcePath)
+            val file = ProgramSource.included(included.name, within, IncludeDirective.sourcePath)
             all += Inclusion(within.orEmpty(), included.name, file)
             if (file != null && seen.add(file.address)) findIncluded(file, file.address, all, seen)
         }
@@ -47,10 +47,10 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     /**
      * Stores the file called [name] that the agent includes at run time. Finds it where Jason will find it. [within] is the name of the
-     * including file [outer] by [KeptInclude.placeOf].
+     * including file [outer] by [IncludeDirective.placeOf].
      */
     fun include(name: String, outer: String?, within: String) =
-        store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
+        store(Inclusion(within, name, ProgramSource.included(name, outer, IncludeDirective.sourcePath)))
 
     private fun store(inclusion: Inclusion) {
         val values = mapOf("within" to inclusion.within, "name" to inclusion.name)

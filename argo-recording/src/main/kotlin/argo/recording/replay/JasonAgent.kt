@@ -2,10 +2,10 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
-import argo.hand.ProgramSource
-import argo.hand.unreadableAt
+import argo.orders.ProgramSource
+import argo.orders.unreadableAt
 import argo.insides.Insides
-import argo.insides.KeptInclude
+import argo.insides.IncludeDirective
 import argo.links.BoardLink
 import argo.platform.Platform
 import argo.recording.RecordedAgent
@@ -51,8 +51,8 @@ internal fun jasonAgent(
     load(recorded) {
         ofConfiguration(recorded) {
             recorded.firstLabel?.let(Counters::nameFrom)
-            KeptInclude.install()
-            KeptInclude.within(includes) { create(GuardedAgent(includes.watch), infra, settings) { it.read(source, address) } }
+            IncludeDirective.install()
+            IncludeDirective.within(includes) { create(GuardedAgent(includes.watch), infra, settings) { it.read(source, address) } }
         }
     }
     val ts = infra.ts
@@ -98,7 +98,7 @@ internal fun TransitionSystem.rest(cycles: Int) {
  * Carries out the reasoning cycle with this [number]. Takes included files from [includes]. For [isConditional] see
  * [RecordedAgent.isConditional].
  */
-internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = KeptInclude.within(includes) {
+internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = IncludeDirective.within(includes) {
     val first = agArch
     first.cycleNumber = number
     first.reasoningCycleStarting()

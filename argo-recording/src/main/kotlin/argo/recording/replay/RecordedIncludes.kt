@@ -1,7 +1,7 @@
 package argo.recording.replay
 
+import argo.insides.IncludeDirective
 import argo.insides.Includes
-import argo.insides.KeptInclude
 import jason.asSemantics.Agent
 import jason.asSyntax.Atom
 import jason.asSyntax.Pred
@@ -33,9 +33,9 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     private var isInRecorded = false // whether a recorded file is being read
 
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent? {
-        val name = KeptInclude.fileOf(directive)
+        val name = IncludeDirective.fileOf(directive)
         val own = ownFile(name)
-        val file = own ?: recorded(name, KeptInclude.placeOf(outer, running))
+        val file = own ?: recorded(name, IncludeDirective.placeOf(outer, running))
         val around = isInRecorded
         isInRecorded = own == null
         try {

@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  *
  * @param believed returns the board's percepts that the agent believes now; called by any thread
  */
-internal class LastSeen(private val believed: () -> Collection<Literal>) {
+internal class PerceptAges(private val believed: () -> Collection<Literal>) {
     private val lock = ReentrantLock()
     private val lastSeen = HashMap<StructureWrapperForLiteral, Long>()
 

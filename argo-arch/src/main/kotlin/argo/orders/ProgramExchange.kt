@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.observing.Order
 import argo.observing.Outcome
@@ -116,9 +116,9 @@ private class ExchangedPlans(private val before: List<Plan>, private val drafted
     }
 
     private fun isLike(one: Plan, other: Plan): Boolean {
-        val likeness = Likeness()
-        if (!likeness.isAlike(one, other)) return false
-        if (likeness.move()) one.srcInfo = other.srcInfo
+        val comparison = ProgramComparison()
+        if (!comparison.isAlike(one, other)) return false
+        if (comparison.move()) one.srcInfo = other.srcInfo
         return true
     }
 
@@ -149,7 +149,7 @@ private class ExchangedRules(private val beliefs: BeliefBase, private val read: 
     }
 
     private fun isAllAlike(one: List<Rule>, other: List<Rule>): Boolean {
-        val pairs = one.zip(other) { rule, newer -> Likeness().let { likeness -> likeness.takeIf { it.isAlike(rule, newer) } } }
+        val pairs = one.zip(other) { rule, newer -> ProgramComparison().takeIf { it.isAlike(rule, newer) } }
         if (one.size != other.size || null in pairs) return false
         pairs.forEach { it?.move() }
         return true

@@ -20,7 +20,7 @@ interface Includes {
  * Replaces Jason's directive `include`, which the action `.include` also calls. The calling thread's [current] handler does the work. If
  * the thread has no handler, Jason's own directive does the work.
  */
-class KeptInclude private constructor(private val below: Include) : Include() {
+class IncludeDirective private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
         val includes = CURRENT.get()
         return if (outer == null || includes == null) below.process(directive, outer, inner)
@@ -53,8 +53,8 @@ class KeptInclude private constructor(private val below: Include) : Include() {
         @Synchronized
         fun install() {
             val below = DirectiveProcessor.getDirective(NAME) as Include
-            if (below is KeptInclude) return
-            Insides.directives[null][NAME] = KeptInclude(below)
+            if (below is IncludeDirective) return
+            Insides.directives[null][NAME] = IncludeDirective(below)
         }
 
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths

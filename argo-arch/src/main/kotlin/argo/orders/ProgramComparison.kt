@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.platform.Plans
 import jason.asSyntax.DefaultTerm
@@ -18,7 +18,7 @@ import jason.asSyntax.VarTerm
  * Compares a part of a program with a part of the program's newer text. Two parts are alike if they differ only in lines, in numbers of
  * unnamed variables, and in labels given by Jason. An object compares only one pair of parts.
  */
-internal class Likeness {
+internal class ProgramComparison {
     private val parts = ArrayList<Pair<DefaultTerm, DefaultTerm>>()
     private val there = HashMap<String, String>() // maps unnamed variables of the first part to those of the second part
     private val back = HashMap<String, String>()

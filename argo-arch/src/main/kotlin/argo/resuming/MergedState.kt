@@ -12,7 +12,7 @@ import argo.mind.Mind
  *
  * @param program the initial beliefs and goals of the program now
  */
-internal class Merged(state: State, program: Mind) {
+internal class MergedState(state: State, program: Mind) {
     private val gone = goneFrom(state.mind.beliefs, state.program.beliefs, program.beliefs)
     private val begun = program.events - state.program.events.toSet() - state.mind.events.toSet()
 

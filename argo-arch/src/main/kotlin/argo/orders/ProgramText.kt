@@ -1,8 +1,8 @@
-package argo.hand
+package argo.orders
 
 import argo.boundary.Overlaps
+import argo.insides.IncludeDirective
 import argo.insides.Insides
-import argo.insides.KeptInclude
 import argo.observing.ProgramFile
 import argo.platform.Plans
 import jason.asSemantics.Agent
@@ -128,8 +128,8 @@ internal class ProgramText private constructor(
 
         private fun included(within: String, name: String, looksAt: (Path) -> Unit): ProgramSource {
             val outer = within.ifEmpty { null }
-            ProgramSource.included(name, outer, KeptInclude.sourcePath)?.let { return it }
-            ProgramSource.placesOf(name, outer, KeptInclude.sourcePath).forEach(looksAt)
+            ProgramSource.included(name, outer, IncludeDirective.sourcePath)?.let { return it }
+            ProgramSource.placesOf(name, outer, IncludeDirective.sourcePath).forEach(looksAt)
             throw OrderRefusedException("the included file $name is not found")
         }
 

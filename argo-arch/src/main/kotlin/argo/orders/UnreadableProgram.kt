@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import jason.asSyntax.parser.ParseException
 

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.boards.AgentBoards
 import argo.filters.FilterException
@@ -21,13 +21,13 @@ import java.util.ServiceConfigurationError
  * Reads the program and the filters of the agent of [ts] again while the agent runs. Construct this object after Jason has read the
  * program, before the agent's first cycle. The calling thread reads files. The agent exchanges the changed parts between two cycles.
  *
- * @param hand gives orders to the agent
+ * @param orders gives orders to the agent
  * @param perceiveThrough sets the filter for all the agent's boards and its environment
  */
 internal class Reloading(
     private val ts: TransitionSystem,
     private val boards: AgentBoards,
-    private val hand: Hand,
+    private val orders: Orders,
     private val perceiveThrough: (PerceptionFilter?) -> Unit,
 ) {
     /** The addresses, beliefs and goals of the agent's current program, for comparison with a newer text. */
@@ -84,9 +84,9 @@ internal class Reloading(
             return done(Outcome(refused.message))
         }
         val order = Order.Reload(program.files, known.addresses - program.addresses)
-        hand.give(order, program) { outcome ->
+        orders.give(order, program) { outcome ->
             if (outcome.refusal != null) return@give done(outcome)
-            done(hand.attempt(order) { outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)) })
+            done(orders.attempt(order) { outcome.copy(told = outcome.told + exchanged(program, filters, takes) + lost.map(::gone)) })
         }
     }
 
@@ -153,7 +153,7 @@ internal class Reloading(
     /** Makes the agent believe or begin [literals] in its next cycle. Literals that the agent refuses stay new. */
     private fun take(offer: Offer, literals: List<Literal>): String {
         literals.forEach { literal ->
-            hand.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
+            orders.give(offer.order("$literal")) { outcome -> outcome.refusal?.let { refused(offer, literal, it) } }
         }
         return "new initial ${offer.word}, taken: ${literals.joinToString(transform = ::shown)}"
     }

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.platform.pathOf
 import jason.asSemantics.Agent

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.filters.jason.PerceptReader
 import argo.mind.beginAnew

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.observing.Order
 import argo.observing.Outcome

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.orders
 
 import argo.boundary.CompletionInbox
 import argo.observing.Order
@@ -13,7 +13,7 @@ import java.util.logging.Logger
  *
  * @param wake wakes the agent until `seen` returns true
  */
-internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit) {
+internal class Orders(private val log: Logger, wake: (seen: () -> Boolean) -> Unit) {
     private class Given(val order: Order, val program: ProgramText?, val done: (Outcome) -> Unit)
 
     private val given = CompletionInbox<Given>(wake)

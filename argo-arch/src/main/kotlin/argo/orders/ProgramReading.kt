@@ -1,7 +1,7 @@
-package argo.hand
+package argo.orders
 
+import argo.insides.IncludeDirective
 import argo.insides.Includes
-import argo.insides.KeptInclude
 import argo.observing.ProgramFile
 import jason.JasonException
 import jason.asSemantics.Agent
@@ -29,16 +29,16 @@ internal class ProgramReading(
     private val find: (within: String, name: String) -> ProgramFile,
     private val around: (file: ProgramFile, agent: Agent, read: () -> ProgramPart) -> Unit = { _, _, read -> read() },
 ) : Includes {
-    private val outer = KeptInclude.current
+    private val outer = IncludeDirective.current
 
     /** Reads [program]. If Jason cannot read it, throws [OrderRefusedException] with the file and the line. */
     fun read(program: ProgramFile) {
-        KeptInclude.install()
-        KeptInclude.within(this) { parse(program, into, Literal.DefaultNS) }
+        IncludeDirective.install()
+        IncludeDirective.within(this) { parse(program, into, Literal.DefaultNS) }
     }
 
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent {
-        val file = find(if (outer === into) "" else outer.aslSrc.orEmpty(), KeptInclude.fileOf(directive))
+        val file = find(if (outer === into) "" else outer.aslSrc.orEmpty(), IncludeDirective.fileOf(directive))
         return agent().apply {
             initAg()
             aslSrc = file.address

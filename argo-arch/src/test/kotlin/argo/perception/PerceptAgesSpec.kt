@@ -5,11 +5,11 @@ import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 
-class LastSeenSpec : FunSpec({
+class PerceptAgesSpec : FunSpec({
     fun literals(vararg texts: String): List<Literal> = texts.map(ASSyntax::parseLiteral)
 
     test("a percept was seen when the newest message in which it stood came") {
-        val sightings = LastSeen { emptyList() }
+        val sightings = PerceptAges { emptyList() }
         sightings.seen(literals("dist(f,1)", "light(2)"), emptyList(), 10)
         sightings.seen(literals("dist(f,1)"), emptyList(), 20)
         sightings.seen(literals("light(2)"), emptyList(), 5)
@@ -20,7 +20,7 @@ class LastSeenSpec : FunSpec({
 
     test("ever new percepts are forgotten, but none that is believed or about to be") {
         var believed = emptyList<Literal>()
-        val sightings = LastSeen { believed }
+        val sightings = PerceptAges { believed }
         repeat(10_000) {
             val delivered = literals("old", "n($it)")
             sightings.seen(if (it == 0) delivered else delivered.drop(1), delivered, it.toLong())

@@ -4,8 +4,8 @@ import argo.mind.Mind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class MergedSpec : FunSpec({
-    fun merged(kept: Mind, then: Mind, now: Mind) = Merged(State("robot", 0, emptyList(), then, kept), now)
+class MergedStateSpec : FunSpec({
+    fun merged(kept: Mind, then: Mind, now: Mind) = MergedState(State("robot", 0, emptyList(), then, kept), now)
 
     test("the same program has the agent believe and want what it did, and nothing else") {
         val program = Mind(listOf("limit(40)", "count(0)"), listOf("!start"))
