@@ -169,20 +169,20 @@ internal class FilterReader(private val problems: Problems, private val name: St
         val value = members[VALUE]?.value
         if (value == null) report(node.position, "there is no \"$VALUE\" to compare with")
         if (operator == null || value == null || value is FilterNode.Refused) return null
-        return problems.reporting(value.position) { TestFormat.test(operator, written(value, operator)) }
+        return problems.reporting(value.position) { OperatorFormat.test(operator, written(value, operator)) }
     }
 
     private fun operator(member: Member?): String? {
         val written = text(member ?: return Operator.EQ.name) ?: return null
-        val operator = TestFormat.operator(written)
-        if (operator == null) report(member.value.position, "the operator '$written'; expected ${TestFormat.NAMES}")
+        val operator = OperatorFormat.operator(written)
+        if (operator == null) report(member.value.position, "the operator '$written'; expected ${OperatorFormat.NAMES}")
         return operator
     }
 
     /** Returns [value] in Jason's syntax. A number or text stays as it is. An array becomes a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
-        value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
+        value is FilterNode.Array && operator == OperatorFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
         else -> throw IllegalArgumentException(
             "the value is ${value.words}; expected a number or text with a Jason term, as in \"front\" or \"\\\"a string\\\"\"",
         )

@@ -80,7 +80,7 @@ internal class JsonFilterWriter {
             is TermTest.OneOf -> test.values
             is TermTest.Matches -> test.pattern
         }
-        return mapOf("operator" to TestFormat.operator(test), "value" to value)
+        return mapOf("operator" to OperatorFormat.operator(test), "value" to value)
     }
 
     private fun value(value: Any): Unit = when {

@@ -56,13 +56,15 @@ internal class XmlFilterWriter {
         val name = "name" to condition.name
         when (condition.tests.size) {
             0 -> leaf("annotation", "", name)
-            1 -> condition.tests.single().let { leaf("annotation", TestFormat.value(it), name, "operator" to TestFormat.operator(it)) }
+            1 -> condition.tests.single().let {
+                leaf("annotation", OperatorFormat.value(it), name, "operator" to OperatorFormat.operator(it))
+            }
             else -> element("annotation", name) { condition.tests.forEach { test("limit", it) } }
         }
     }
 
     private fun test(name: String, test: TermTest, vararg attributes: Pair<String, Any?>) =
-        leaf(name, TestFormat.value(test), "operator" to TestFormat.operator(test), *attributes)
+        leaf(name, OperatorFormat.value(test), "operator" to OperatorFormat.operator(test), *attributes)
 
     private fun element(name: String, vararg attributes: Pair<String, Any?>, isEmpty: Boolean = false, children: () -> Unit) {
         if (isEmpty) return leaf(name, "", *attributes)

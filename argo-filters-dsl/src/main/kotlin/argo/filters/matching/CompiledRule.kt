@@ -28,7 +28,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     val rate: Rate? = rule.rate
 
     /** True if a condition has two limits. */
-    val hasLatches: Boolean = compiled.any { it.isLatch }
+    val hasHysteresis: Boolean = compiled.any { it.hasTwoLimits }
 
     /**
      * Returns true if the rule is for percepts with this [tail] and [head]. [head] is null if there is neither a namespace nor a
@@ -42,15 +42,15 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
 
     /**
      * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] follows.
-     * [latches] know which conditions with two limits held for the last message, and record which hold now. Null: none held.
+     * [hysteresis] knows which conditions with two limits held for the last message, and records which hold now. Null: none held.
      */
-    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
-        if (hasLatches) compiled.count { it.isMet(text, functorEnd, end, tail, latches) } == compiled.size // latches must see each one
-        else compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
+    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, hysteresis: Hysteresis?): Boolean =
+        if (hasHysteresis) compiled.count { it.isMet(text, functorEnd, end, tail, hysteresis) } == compiled.size // each one is recorded
+        else compiled.all { it.isMet(text, functorEnd, end, tail, hysteresis) }
 
     /** Returns the first condition that the percept does not meet. [areMet] describes the parameters. */
-    fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Condition =
-        rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail, latches) }]
+    fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long, hysteresis: Hysteresis?): Condition =
+        rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail, hysteresis) }]
 
     private companion object {
         const val ANY = -1
@@ -63,7 +63,7 @@ private class CompiledCondition(condition: Condition) {
     private val until = (condition as? Condition.Argument)?.untilTest()?.let(::CompiledTest)
 
     /** True if the condition has two limits. */
-    val isLatch: Boolean get() = until != null
+    val hasTwoLimits: Boolean get() = until != null
     private val annotation = (condition as? Condition.Annotation)?.name
     private val tests = when (condition) {
         is Condition.Argument -> listOf(condition.test)
@@ -71,15 +71,15 @@ private class CompiledCondition(condition: Condition) {
     }.map(::CompiledTest).toTypedArray()
 
     /** Returns true if the percept in [text] meets the condition. The percept's functor ends at [functorEnd], and [tail] follows. */
-    fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean {
+    fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, hysteresis: Hysteresis?): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
         val isMet = tests[0].isMetBy(text, start, argumentEnd)
-        if (until == null || latches == null) return isMet
-        if (!isMet && (latches.isEmpty || !until.isMetBy(text, start, argumentEnd))) return false
-        return latches.holds(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet)
+        if (until == null || hysteresis == null) return isMet
+        if (!isMet && (hysteresis.isEmpty || !until.isMetBy(text, start, argumentEnd))) return false
+        return hysteresis.holds(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail), isMet)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

@@ -48,16 +48,16 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
         /** Explains what happens to [percept], which may replace [received]. Critical rules that are not smoothed test [received]. */
-        fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
-            val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
+        fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, hysteresis: Hysteresis?): Explanation {
+            val critical = matcher.criticalRules(received, percept, hysteresis).firstOrNull()
             if (critical != null) {
                 val number = matcher.filter.critical.indexOfFirst { it === critical } + 1
                 return kept("$percept", critical.rule, matcher.filter, "it matches critical rule $number: $critical")
             }
-            val met = matcher.rulesMetBy(percept, latches)
+            val met = matcher.rulesMetBy(percept, hysteresis)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
             val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
-            val reason = if (rule == null) notMet(matcher, percept, met, latches) else met(matcher, rule)
+            val reason = if (rule == null) notMet(matcher, percept, met, hysteresis) else met(matcher, rule)
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
         }
 
@@ -88,14 +88,14 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
 
         private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "it matches ${numbered(matcher, rule)}: ${rule.rule}"
 
-        private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>, latches: Latches?): String {
+        private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>, hysteresis: Hysteresis?): String {
             val rules = matcher.rulesOn(percept)
             val arguments = if (percept.arity == 1) "1 argument" else "${percept.arity} arguments"
             if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with $arguments"
             return rules.joinToString("; ") { rule ->
                 val number = numbered(matcher, rule)
                 if (rule in met) "$number holds nothing back now"
-                else "it does not match $number: ${found(percept, percept.failing(rule, latches))}"
+                else "it does not match $number: ${found(percept, percept.failing(rule, hysteresis))}"
             }
         }
 

@@ -14,7 +14,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var matcher: PerceptMatcher? = null
     private var rates = RateMemory<P>(null)
     private var smoother: Smoother<P>? = null
-    private var latches: Latches? = null
+    private var hysteresis: Hysteresis? = null
     private var picture = Picture<P>()
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, List<P>> = emptyMap() // key: the percepts' text without numbers
@@ -33,11 +33,11 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.let { PerceptMatcher(it, matcher) }
-        val held = latches
+        val held = hysteresis
         frozen = if (next != null && filter.onSwitch == OnSwitch.FREEZE) hiddenBy(next) else emptyMap()
         matcher = next
         forget()
-        if (latches != null && held != null) latches = held
+        if (hysteresis != null && held != null) hysteresis = held
     }
 
     /**
@@ -47,7 +47,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     fun forget() {
         rates = RateMemory(filter)
         smoother = matcher?.takeIf { it.filter.smoothing.isNotEmpty() }?.let { Smoother(it, textOf, annotated) }
-        latches = if (matcher?.hasLatches == true) Latches() else null
+        hysteresis = if (matcher?.hasHysteresis == true) Hysteresis() else null
         picture = Picture()
         last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
@@ -61,7 +61,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     fun perceive(percepts: List<P>, nowMs: Long, old: Set<P> = emptySet()): FilteredPercepts<P> {
         val received = java.util.List.copyOf(percepts)
         picture = smoother?.picture(received, nowMs, old) ?: picture.also { it.begin(received) }
-        latches?.begin()
+        hysteresis?.begin()
         return decided(nowMs)
     }
 
@@ -79,7 +79,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
         val received = PerceptText.of(text) ?: return Explanation.noPercept(text, matcher.filter)
-        val isCritical = matcher.criticalRules(received, received, latches?.ofNext()).any { !it.smoothed }
+        val isCritical = matcher.criticalRules(received, received, hysteresis?.ofNext()).any { !it.smoothed }
         val replacement = if (isCritical) null else smoother?.replacement(percept, nowMs)
         if (replacement == null || replacement.standing === percept) return explain(matcher, received, received, percept, nowMs)
         val standing = PerceptText.of(textOf(replacement.standing)) ?: received
@@ -93,11 +93,11 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      * received percept.
      */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
-        val latches = latches?.ofNext()
-        val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()
-        val met = matcher.rulesMetBy(standing, latches)
+        val hysteresis = hysteresis?.ofNext()
+        val isCritical = matcher.criticalRules(received, standing, hysteresis).isNotEmpty()
+        val met = matcher.rulesMetBy(standing, hysteresis)
         val hold = if (isCritical) null else rates.holds(met, rates.known(percept, standing), nowMs).firstOrNull()
-        return if (hold == null) Explanation.of(matcher, received, standing, latches)
+        return if (hold == null) Explanation.of(matcher, received, standing, hysteresis)
         else Explanation.heldBack(matcher, standing, hold, nowMs)
     }
 
@@ -135,7 +135,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         val standing = picture.standing(place)
         val text = PerceptText.of(textOf(standing)) ?: return emptyList()
         val receivedText = if (received === standing) text else PerceptText.of(textOf(received)) ?: text
-        val rules = matcher.criticalRules(receivedText, text, latches)
+        val rules = matcher.criticalRules(receivedText, text, hysteresis)
         val perceived = if (rules.all { it.smoothed }) standing else received
         return rules.map { CriticalPercept(it, perceived) }
     }
@@ -148,14 +148,14 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      */
     private fun decided(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         if (!rates.isEmpty) return rated(matcher, standing, critical, nowMs, holds)
-        val isDropped = matcher.drops(textOf(standing), latches) // runs even if a critical rule keeps the percept: latches record it
+        val isDropped = matcher.drops(textOf(standing), hysteresis) // even if a critical rule keeps it: the hysteresis records it
         return critical ?: standing.takeUnless { isDropped }
     }
 
     /** Like [decided], for a filter with rates. */
     private fun rated(matcher: PerceptMatcher, standing: P, critical: P?, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val found = PerceptText.of(textOf(standing)) ?: return standing
-        val met = matcher.rulesMetBy(found, latches)
+        val met = matcher.rulesMetBy(found, hysteresis)
         val next = rates.next(standing, found)
         if (critical != null) return critical.also { letThrough(matcher, it, next.kind, nowMs) }
         val holding = rates.holds(met, next, nowMs)
@@ -170,7 +170,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     private fun letThrough(matcher: PerceptMatcher, critical: P, kind: String, nowMs: Long) {
         val found = PerceptText.of(textOf(critical)) ?: return
-        rates.letThrough(matcher.rulesMetBy(found, latches?.ofNext()), RatedPercept(critical, found, kind), nowMs)
+        rates.letThrough(matcher.rulesMetBy(found, hysteresis?.ofNext()), RatedPercept(critical, found, kind), nowMs)
     }
 
     private fun hiddenBy(next: PerceptMatcher): Map<String, List<P>> =

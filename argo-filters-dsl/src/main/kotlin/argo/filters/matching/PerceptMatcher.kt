@@ -17,7 +17,7 @@ import argo.filters.SmoothingRule
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
     val filter: PerceptionFilter,
-    before: PerceptMatcher? = null, // critical rules in both filters stay identical objects, so latches recognize them
+    before: PerceptMatcher? = null, // critical rules in both filters stay identical objects, so a hysteresis knows them
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
     private val critical: List<CompiledRule> =
@@ -27,8 +27,8 @@ class PerceptMatcher internal constructor(
         if (filter.smoothing.isEmpty()) null else RuleIndex(filter.smoothing.map { CompiledRule(it.rule, smoothing = it) })
     private val drops = filter.mode == Mode.DROP
 
-    /** True if a condition has two limits. [Latches] then decide. */
-    internal val hasLatches: Boolean = (filter.rules + filter.critical.map { it.rule })
+    /** True if a condition has two limits. [Hysteresis] then decides. */
+    internal val hasHysteresis: Boolean = (filter.rules + filter.critical.map { it.rule })
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
@@ -54,27 +54,27 @@ class PerceptMatcher internal constructor(
         }
 
     /** Returns true if the ordinary rules drop [percept]. A critical rule may still keep [percept]. */
-    internal fun drops(percept: String, latches: Latches?): Boolean =
+    internal fun drops(percept: String, hysteresis: Hysteresis?): Boolean =
         scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
-            isDropped(percept, functor, functorEnd, percept.length, tail, head, latches)
+            isDropped(percept, functor, functorEnd, percept.length, tail, head, hysteresis)
         }
 
     private fun isDropped(
-        text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
-    ): Boolean = (firstMet(index, text, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } != null) == drops
+        text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, hysteresis: Hysteresis?,
+    ): Boolean = (firstMet(index, text, functor, functorEnd, end, tail, head, hysteresis) { !drops || it.rate == null } != null) == drops
 
     /**
      * Returns the first rule of [index] that the percept meets and for which [counts] returns true, or null. Also applies later rules
-     * with two limits, so [latches] record what holds.
+     * with two limits, so [hysteresis] records what holds.
      */
     private inline fun firstMet(
-        index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
-        counts: (CompiledRule) -> Boolean,
+        index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
+        hysteresis: Hysteresis?, counts: (CompiledRule) -> Boolean,
     ): CompiledRule? {
         var first: CompiledRule? = null
         for (rule in index.find(text, functor, functorEnd)) {
-            if (first != null && !rule.hasLatches || !counts(rule) || !rule.isFor(tail, head)) continue
-            if (rule.areMet(text, functorEnd, end, tail, latches) && first == null) first = rule
+            if (first != null && !rule.hasHysteresis || !counts(rule) || !rule.isFor(tail, head)) continue
+            if (rule.areMet(text, functorEnd, end, tail, hysteresis) && first == null) first = rule
         }
         return first
     }
@@ -90,10 +90,10 @@ class PerceptMatcher internal constructor(
         PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 
     /** Returns the matching critical rules. Smoothed rules test [standing], which replaces [received]. Other rules test [received]. */
-    internal fun criticalRules(received: PerceptText, standing: PerceptText, latches: Latches?): List<CriticalRule> {
+    internal fun criticalRules(received: PerceptText, standing: PerceptText, hysteresis: Hysteresis?): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
         return received.rulesIn(index).mapNotNull { rule ->
-            rule.critical?.takeIf { (if (it.smoothed) standing else received).meets(rule, latches) }
+            rule.critical?.takeIf { (if (it.smoothed) standing else received).meets(rule, hysteresis) }
         }
     }
 
@@ -102,8 +102,8 @@ class PerceptMatcher internal constructor(
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)
 
-    internal fun rulesMetBy(percept: PerceptText, latches: Latches?): List<CompiledRule> =
-        percept.rulesIn(index).filter { percept.meets(it, latches) }
+    internal fun rulesMetBy(percept: PerceptText, hysteresis: Hysteresis?): List<CompiledRule> =
+        percept.rulesIn(index).filter { percept.meets(it, hysteresis) }
 
     /** Returns the first smoothing rule that [percept] meets, or null. */
     internal fun smoothingRule(percept: PerceptText): SmoothingRule? =

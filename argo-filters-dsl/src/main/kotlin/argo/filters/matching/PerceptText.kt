@@ -32,10 +32,10 @@ internal class PerceptText private constructor(
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
     /** Returns true if the percept meets the conditions of [rule], a rule for percepts with this name and arity. */
-    fun meets(rule: CompiledRule, latches: Latches?): Boolean = rule.areMet(text, functorEnd, end, tail, latches)
+    fun meets(rule: CompiledRule, hysteresis: Hysteresis?): Boolean = rule.areMet(text, functorEnd, end, tail, hysteresis)
 
     /** Returns the first condition of [rule] that the percept does not meet. */
-    fun failing(rule: CompiledRule, latches: Latches?): Condition = rule.failing(text, functorEnd, end, tail, latches)
+    fun failing(rule: CompiledRule, hysteresis: Hysteresis?): Condition = rule.failing(text, functorEnd, end, tail, hysteresis)
 
     /** Returns the number at argument [index], or null if there is no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-class LegibilitySpec : FunSpec({
+class UnreadablePerceptsSpec : FunSpec({
     listOf(
         "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "wall(true)", "t(-3.5)[level(2)]", "p('Front Left')",
         "'Öl'(\"grün\")",

@@ -5,7 +5,7 @@ import argo.filters.Operator
 import argo.filters.TermTest
 
 /** Reads and writes the tests in filter files. A test is an operator and a value, both as text. */
-internal object TestFormat {
+internal object OperatorFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
 

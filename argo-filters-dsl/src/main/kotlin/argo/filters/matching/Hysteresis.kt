@@ -8,7 +8,7 @@ package argo.filters.matching
  *
  * @param notes true if [holds] records the result for the next picture
  */
-internal class Latches private constructor(
+internal class Hysteresis private constructor(
     private val memory: SensorMemory<Latch>, private var picture: Long, private val notes: Boolean,
 ) {
     constructor() : this(SensorMemory(), 0, true)
@@ -21,8 +21,8 @@ internal class Latches private constructor(
         picture++
     }
 
-    /** Returns latches that answer for the next picture and record nothing. */
-    fun ofNext() = Latches(memory, picture + 1, false)
+    /** Returns a hysteresis that answers for the next picture and records nothing. */
+    fun ofNext() = Hysteresis(memory, picture + 1, false)
 
     /**
      * Returns true if [condition] holds in this picture for the percept in [text], whose number meets the second limit. The sensor's name
