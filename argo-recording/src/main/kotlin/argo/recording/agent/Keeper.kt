@@ -53,7 +53,7 @@ internal interface Keeper {
 /** The queue of work for the beginning of an agent's next cycle. Work of other threads or of the project's classes goes to [keeper]. */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
-        val isOwn = task.javaClass.name.startsWith("argo.") || Keeper.current === keeper && JasonCode.isOwn(task.javaClass)
+        val isOwn = task.javaClass.name.startsWith("argo.") || Keeper.current === keeper && JasonActions.isOwn(task.javaClass)
         if (isOwn) return super.offer(task)
         keeper.left(task)
         return true

@@ -19,11 +19,11 @@ internal sealed interface Watched : Serializable {
 /** Wraps the internal action [code], which the program calls [name]. Asks the agent's watch about each call. */
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
-    private val isOfProject = !JasonCode.isOwn(code.javaClass)
+    private val isOfProject = !JasonActions.isOwn(code.javaClass)
     private var isWaiting = false
 
     private fun writeReplace(): Any =
-        if (code is OfInfrastructure) JasonCode.typeOf(code.javaClass).getConstructor().newInstance() else code
+        if (code is OfInfrastructure) JasonActions.typeOf(code.javaClass).getConstructor().newInstance() else code
 
     /** Suspends the intention if the watch suspends the call. A replay suspends it if the recorded intention waited for other computers. */
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -38,7 +38,7 @@ internal class WatchedAction(private val name: String, override val code: Intern
     override fun suspendIntention() = isWaiting || code.suspendIntention()
 
     private fun kind() = when {
-        JasonCode.natureOf(code.javaClass) == Nature.SENDING -> WatchedKind.SENDING
+        JasonActions.natureOf(code.javaClass) == Nature.SENDING -> WatchedKind.SENDING
         !isOfProject -> WatchedKind.OUTSIDE
         code.suspendIntention() -> WatchedKind.SUSPENDING
         else -> WatchedKind.PROJECT
@@ -59,7 +59,7 @@ internal class WatchedRandom(override val code: random, private val watched: Wat
 
 /** Wraps the function [code]. Asks the calling agent's watch about each call. If that agent has no watch, asks [watch]. */
 internal class WatchedFunction(override val code: ArithFunction, val watch: CallWatch) : ArithFunction by code, Watched {
-    private val isOfProject = !JasonCode.isOwn(code.javaClass)
+    private val isOfProject = !JasonActions.isOwn(code.javaClass)
 
     private fun writeReplace(): Any = code
 

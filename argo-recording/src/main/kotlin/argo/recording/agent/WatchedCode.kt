@@ -1,8 +1,8 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
-import argo.insides.Insides
 import argo.insides.IncludeDirective
+import argo.insides.Insides
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
@@ -44,7 +44,7 @@ internal interface CallWatch {
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** Reports that the program has an action or function of Jason that is not in the table [JasonCode]. The message names it. */
+/** Reports that the program has an action or function of Jason that is not in the table [JasonActions]. The message names it. */
 internal class UnknownCodeException(name: String) :
     Exception(
         "the program uses $name; this version of ARGO does not know whether that reads or changes anything outside of the agent",
@@ -66,8 +66,8 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 
 /**
  * Asks [watch] about each call of an internal action or function that reads or changes anything outside of the agent. Asks about the
- * project's own code, and about the code of Jason that the table [JasonCode] lists as inputs or effects. Jason looks an action up when it
- * reads a program, so this class changes the program's own terms.
+ * project's own code, and about the code of Jason that the table [JasonActions] lists as inputs or effects. Jason looks an action up when
+ * it reads a program, so this class changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
     private var seen = identities() // objects that the current visit has seen
@@ -88,7 +88,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     /** Returns [action] in its watched form. The agent has looked up [action] by [name], for its program or for a term made from a text. */
     private fun found(name: String, action: InternalAction): InternalAction {
-        if (JasonCode.isUnknown(action)) unknown = UnknownCodeException(JasonCode.nameOf(action))
+        if (JasonActions.isUnknown(action)) unknown = UnknownCodeException(JasonActions.nameOf(action))
         return watched(name, action)
     }
 
@@ -196,7 +196,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     private fun requireKnown(code: Any) {
         val own = if (code is Watched) code.code else code
-        if (JasonCode.isUnknown(own)) throw UnknownCodeException(JasonCode.nameOf(own))
+        if (JasonActions.isUnknown(own)) throw UnknownCodeException(JasonActions.nameOf(own))
     }
 
     companion object {
@@ -222,13 +222,13 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         }
 
         private fun calledName(name: String, action: InternalAction) =
-            if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
+            if (JasonActions.isOwn(action.javaClass)) JasonActions.nameOf(action) else name
 
         /** Returns true if [code] must be replaced by a watched form. Unknown code is also replaced, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
-            !JasonCode.isOwn(code.javaClass) || code is OfInfrastructure -> true
-            else -> JasonCode.natureOf(code.javaClass)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
+            !JasonActions.isOwn(code.javaClass) || code is OfInfrastructure -> true
+            else -> JasonActions.natureOf(code.javaClass)?.let(JasonActions::isRecorded) ?: JasonActions.isUnknown(code)
         }
     }
 }

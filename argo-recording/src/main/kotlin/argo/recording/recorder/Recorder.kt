@@ -6,9 +6,9 @@ import argo.boundary.InternalCall
 import argo.boundary.Overlaps
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.insides.IncludeDirective
 import argo.insides.Includes
 import argo.insides.Insides
-import argo.insides.IncludeDirective
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.EndedReflex
@@ -23,13 +23,13 @@ import argo.recording.End
 import argo.recording.FilterChange
 import argo.recording.PerceivedSnapshot
 import argo.recording.ReflexEnd
-import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
-import argo.recording.agent.JasonCode
+import argo.recording.agent.JasonActions
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
+import argo.recording.agent.PendingOperations
 import argo.recording.agent.ProgramNames
 import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
@@ -66,33 +66,33 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 
 /**
- * Records the cycles of one agent to [track]. Notes all input of a cycle at the agent's boundary. An operation that the agent has begun
+ * Records the cycles of one agent to [channels]. Notes all input of a cycle at the agent's boundary. An operation that the agent has begun
  * outside of its thread ends only at the beginning of a cycle.
  */
 internal class Recorder(
     private val agent: ObservedAgent,
     private val program: StoredProgram,
-    private val track: Track,
+    private val channels: AgentChannels,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
     /** The end of an operation, which waits for the next cycle. If another thread left the operation, [work] carries it out. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
-    private val begun = Begun()
+    private val pending = PendingOperations()
     private val works = AtomicInteger() // the number of works that wait in the inbox
     private var running: Running? = null
 
     @Volatile
     private var isRefused = false
-    private val filters = StoredFilters(agent.name, track::attach)
+    private val filters = StoredFilters(agent.name, channels::attach)
     private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of unfinished commands that calls have sent
 
     @Volatile
     private var inCycle: Thread? = null
 
     @Volatile
-    private var unstored: Thread? = null // the thread of a cycle that the track has not received yet
+    private var unstored: Thread? = null // the thread of a cycle that the channels have not received yet
 
     @Volatile
     private var isStopped = false
@@ -152,7 +152,7 @@ internal class Recorder(
         isRefused = true
         unstored = null
         agent.ts.c.removeEventListener(agent.events)
-        track.close()
+        channels.close()
     }
 
     /** If added code cannot be watched, notes that the recording of the agent ends with this cycle. */
@@ -161,7 +161,7 @@ internal class Recorder(
     } catch (unknown: UnknownCodeException) {
         agent.now.refuse("${unknown.message}", isOfProject = false)
         agent.isLast = true
-        track.told += "${unknown.message}"
+        channels.told += "${unknown.message}"
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
@@ -188,7 +188,7 @@ internal class Recorder(
                     agent.keyFrames.ended(arrived.end.number)
                 }
                 val work = arrived.work
-                if (work == null) begun.carryOut(arrived.end) else carryOut(agent, arrived.end, work)
+                if (work == null) pending.carryOut(arrived.end) else carryOut(agent, arrived.end, work)
             }
         }
     }
@@ -342,13 +342,13 @@ internal class Recorder(
 
     override fun suspended(complete: (CommandFailure?, String?) -> Unit): (CommandFailure?, String?) -> Unit {
         val agent = current() ?: return complete
-        val number = begun.begin { end -> complete(end.failure?.let(::RecordedFailure), end.answer) }
+        val number = pending.begin { end -> complete(end.failure?.let(::RecordedFailure), end.answer) }
         agent.now.underWay?.number = number
         return { failure, answer -> inbox.put(Arrived(End(number, CALL, failure?.run { CallFailure(error, cause) }, answer = answer))) }
     }
 
     override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
-        val number = begun.begin { work.call() }
+        val number = pending.begin { work.call() }
         current()?.run { keyFrames.timer(number, now.ns, delayNs) }
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
@@ -356,7 +356,7 @@ internal class Recorder(
     /** Takes [work]. In a replay Jason's own classes leave this work again, except the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
-        val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
+        val isOfProject = !JasonActions.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
         works.incrementAndGet()
         inbox.put(Arrived(End(0, if (isOfProject) WORK else THREAD, thread = Thread.currentThread().name), work))
     }
@@ -364,7 +364,7 @@ internal class Recorder(
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
         val agent = current() ?: return live(action)
         refuseIfOfProject(agent, "acts in the environment")
-        val number = begun.begin { end ->
+        val number = pending.begin { end ->
             complete(action, end)
             running?.ts?.c?.addFeedbackAction(action)
         }
@@ -434,7 +434,7 @@ internal class Recorder(
         if (!isRecorded) return
         now.end()
         val cycle = CycleNote(++agent.cycles, agent.number, now, course, isEnding, agent.course.missesPrints)
-        track.cycle(cycle)
+        channels.cycle(cycle)
         if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
@@ -457,8 +457,8 @@ internal class Recorder(
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
         if (agent.events.size > 0 || works.get() > 0) return // waiting events and work belong to the next cycle
-        val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
-        track.keyFrame(note)
+        val note = agent.keyFrames.take(cycle, pending.last, pending.numbers, agent.percepts) ?: return
+        channels.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // the next cycle then contains all counters, for a replay that begins with it
     }
 
@@ -490,19 +490,19 @@ internal class Recorder(
     override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) {
         val isInCall = inCalls.remove(command.number)
         val end = CommandEnd(command.number, ns = agent.nanos(), failure = failure?.run { CallFailure(error, cause) })
-        track.ended(if (isInCall) end else end.copy(port = command.port, text = command.text, issuedNs = command.issuedNanos))
+        channels.ended(if (isInCall) end else end.copy(port = command.port, text = command.text, issuedNs = command.issuedNanos))
     }
 
     override fun reflexEnded(reflex: EndedReflex) {
         val (rule, watcher, failure, ns) = reflex
         val command = rule.reflex ?: return
-        track.ended(
+        channels.ended(
             ReflexEnd(command, "${rule.rule}", watcher == RuleWatcher.BOARD, ns, failure?.run { CallFailure(error, cause) }),
         )
     }
 
     override fun recordWanted(why: String): Boolean {
-        track.save(why, agent.nanos())
+        channels.save(why, agent.nanos())
         return true
     }
 
@@ -518,7 +518,7 @@ internal class Recorder(
 
     private fun leave() {
         running?.course?.close()
-        track.close()
+        channels.close()
     }
 
     companion object {

@@ -30,6 +30,6 @@ class RecorderProvider : AgentObserverProvider {
             recording.leave()
             return refuse("the agent's program cannot be recorded: ${trouble.message}")
         }
-        return Recorder(agent, program, Track(agent.name, recording, agent::nanos, log::warning), log)
+        return Recorder(agent, program, AgentChannels(agent.name, recording, agent::nanos, log::warning), log)
     }
 }

@@ -2,7 +2,7 @@ package argo.recording.replay
 
 import argo.boundary.InternalCall
 import argo.recording.agent.CallWatch
-import argo.recording.agent.JasonCode
+import argo.recording.agent.JasonActions
 import argo.recording.agent.Nature
 import argo.recording.agent.WatchedAction
 import argo.recording.agent.WatchedCode
@@ -30,7 +30,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     override fun getIA(name: String): InternalAction {
         requireCode(if (name.startsWith('.')) "jason.stdlib$name" else name)
         val action = super.getIA(name)
-        if (JasonCode.natureOf(action.javaClass) == Nature.SENDING) return WatchedAction(JasonCode.nameOf(action), action, watch)
+        if (JasonActions.natureOf(action.javaClass) == Nature.SENDING) return WatchedAction(JasonActions.nameOf(action), action, watch)
         return WatchedCode.watched(name, action, watch)
     }
 

@@ -6,7 +6,7 @@ import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.KeyFrame
 import argo.recording.Mail
-import argo.recording.agent.Begun
+import argo.recording.agent.PendingOperations
 import argo.recording.agent.UnrecordableTerm
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
@@ -27,7 +27,7 @@ internal typealias DifferenceSink = (what: String, recorded: String?, now: Strin
  * project's own actions and functions again, and compares their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
-    private val open = Begun()
+    private val open = PendingOperations()
     private val left = LinkedBlockingQueue<Runnable>()
     private var calls: MutableList<Call> = ArrayList()
     private val taken = ArrayList<Call>()

@@ -42,7 +42,10 @@ import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
 /** Gives an agent its recorded input, cycle by cycle. [answers] answers the agent's questions, and ends its operations. */
-internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
+internal class ReplayedInputs(
+    private val answers: Answers,
+    private val sensed: ReplayedPercepts = RecordedPercepts(),
+) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
     private var counters: List<Int> = emptyList() // counters after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
@@ -70,8 +73,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
         if (recorded != null) guarded(recorded) { watch(recorded) } // started intentions consist of recorded plans
-        val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
-        start?.perceived?.map(::literalOf)?.let(senses::begin)
+        val timers = start?.let { KeyFrameRestoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
+        start?.perceived?.map(::literalOf)?.let(sensed::begin)
         answers.begin(this, start, timers.orEmpty())
     }
 
@@ -128,11 +131,11 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     override fun perceive(live: () -> Perception): Perception {
-        val percepts = reading("percepts") { senses.perceive(cycle) } ?: return Perception(null)
+        val percepts = reading("percepts") { sensed.perceive(cycle) } ?: return Perception(null)
         return Perception(percepts.toMutableList(), if (cycle.input.isOfSeveralBoards) ts.c.events.size else null, hasNamespaces = true)
     }
 
-    override fun newlyCritical(live: () -> List<Literal>) = senses.takeNewlyCritical()
+    override fun newlyCritical(live: () -> List<Literal>) = sensed.takeNewlyCritical()
 
     override fun takeMail(live: () -> Unit) {
         cycle.input.mail.forEach { mail -> reading("message of ${mail.sender}") { messageOf(mail) }?.let(ts.c::addMsg) }

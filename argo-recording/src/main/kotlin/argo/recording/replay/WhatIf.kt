@@ -38,17 +38,17 @@ class WhatIf internal constructor(
     private val recording: Recording,
     agent: String,
     program: Path?,
-    senses: Senses,
+    sensed: ReplayedPercepts,
     private val cycles: Sequence<Cycle>,
     usualNs: Long?,
 ) : AutoCloseable {
     constructor(recording: Recording, agent: String, program: Path? = null, filter: PerceptionFilter? = null) :
-        this(recording, agent, program, filter?.let(::FilteredSenses) ?: RecordedSenses(), recording.replayable(agent), null)
+        this(recording, agent, program, filter?.let(::RefilteredPercepts) ?: RecordedPercepts(), recording.replayable(agent), null)
 
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
     private val answers = WhatIfAnswers(NearestRecordedCalls(cycles), isCarryingOut = program != null, usualNs)
-    private val inputs = ReplayedInputs(answers, senses)
+    private val inputs = ReplayedInputs(answers, sensed)
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)

@@ -210,7 +210,7 @@ internal class Trace(
         val again = (above as? StepCause)?.plan?.takeIf { it.place == place && (intention == null || isTail(intention, option.plan)) }
         val cause = PlanCause(
             place, shown(event), clock.seconds(cycle.ns), cycle.number, context.map { it.within(MAX_CAUSES_OF_CONDITION) },
-            (again?.event ?: above).within(MAX_DEPTH), again?.let { it.again + 1 } ?: 0,
+            (again?.event ?: above).within(MAX_CAUSES), again?.let { it.again + 1 } ?: 0,
         )
         chosen = cause
         return Adopted(cause)
@@ -321,9 +321,6 @@ internal class Trace(
         private const val BEFORE = "that was before the replay begins, in a part that this recording has lost"
         private const val MAX_NOTES = 10_000
         private const val FORGOTTEN = "it was there from the beginning, or plans have noted more than $MAX_NOTES beliefs since it was"
-
-        /** The longest chain of causes from a step to the root of its intention. */
-        private const val MAX_DEPTH = 60
         private const val FORK = ".fork"
         private val BRANCHES = setOf(".if_then_else", ".loop")
         private val NOTING = setOf(

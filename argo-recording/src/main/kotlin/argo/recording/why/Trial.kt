@@ -4,12 +4,12 @@ import argo.recording.Cycle
 import argo.recording.RecordedAgent
 import argo.recording.replay.ProgramFiles
 import argo.recording.replay.RecordedAnswers
-import argo.recording.replay.RecordedSenses
+import argo.recording.replay.RecordedPercepts
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.ReplayedAgent
 import argo.recording.replay.ReplayedInputs
-import argo.recording.replay.Senses
+import argo.recording.replay.ReplayedPercepts
 import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
 
@@ -55,15 +55,16 @@ internal class Trial(
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
         val wanted = cycles.asSequence().takeWhile { it.index <= last }
-        return WhatIf(recording, agent.name, null, AlteredSenses(from.index, changed), wanted, usualNs = 0).use { it.commandsFrom(from.ns) }
+        val percepts = AlteredPercepts(from.index, changed)
+        return WhatIf(recording, agent.name, null, percepts, wanted, usualNs = 0).use { it.commandsFrom(from.ns) }
     }
 }
 
 /** Perceives the recorded percepts. From the cycle with the index [from] on, [changed] changes the agent's percepts. */
-internal class AlteredSenses(
+internal class AlteredPercepts(
     private val from: Long,
     private val changed: (List<Literal>) -> List<Literal>,
-    private val recorded: Senses = RecordedSenses(),
-) : Senses by recorded {
+    private val recorded: ReplayedPercepts = RecordedPercepts(),
+) : ReplayedPercepts by recorded {
     override fun perceive(cycle: Cycle): List<Literal>? = recorded.perceive(cycle)?.let { if (cycle.index < from) it else changed(it) }
 }

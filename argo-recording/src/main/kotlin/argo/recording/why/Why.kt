@@ -36,7 +36,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         val cause = causeOf(command)
         val frame = (cause?.root() as? PerceptCause)?.frame
         val frames = (listOfNotNull(frame) + cause?.frames().orEmpty()).distinct()
-        val had = if (isTrying && cause != null) Flips(cause) { percept, of -> had(command, percept, of) }.find() else emptyList()
+        val had = if (isTrying && cause != null) Counterfactuals(cause) { percept, of -> had(command, percept, of) }.find() else emptyList()
         return Answer(command, cause, null, frame, frames, had)
     }
 
@@ -76,7 +76,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         val last = cycles.lastOrNull { it.ns <= until } ?: throw RecordingException("agent $agent had no cycle before $question")
         requireReplayed(agent, last.index)
         val filters = filtersOf(agent)
-        val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
+        val unchosen = UnchosenPlans(question) { port, text -> filters.explain(port, text)?.toString() }
         lateinit var trace: Trace
         trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs, answers ->
             Trace(inputs, answers, clock, filters, unchosen::taken).also { trace = it }

@@ -9,7 +9,7 @@ import java.nio.file.Path
 import java.util.jar.JarFile
 
 /** Checks that the table has each internal action and function of the newest and of the used version of Jason. */
-class JasonCodeSpec : FunSpec({
+class JasonActionsSpec : FunSpec({
     val here = Path.of(InternalAction::class.java.protectionDomain.codeSource.location.toURI())
 
     /**
@@ -25,14 +25,14 @@ class JasonCodeSpec : FunSpec({
         test("that of ${jar.fileName}") {
             val code = codeIn(jar)
             code shouldHaveAtLeastSize 150
-            code.filter { JasonCode.natureOf(it) == null }.shouldBeEmpty()
+            code.filter { JasonActions.natureOf(it) == null }.shouldBeEmpty()
         }
     }
 
     test("what changes files, agents or the infrastructure is an effect, and what comes from them an input") {
         listOf("save_agent", "create_agent", "clone", "kill_agent", "stopMAS", "df_register").forEach {
-            JasonCode.natureOf("jason.stdlib.$it") shouldBe Nature.EFFECT
+            JasonActions.natureOf("jason.stdlib.$it") shouldBe Nature.EFFECT
         }
-        listOf("list_files", "random", "date", "all_names").forEach { JasonCode.natureOf("jason.stdlib.$it") shouldBe Nature.INPUT }
+        listOf("list_files", "random", "date", "all_names").forEach { JasonActions.natureOf("jason.stdlib.$it") shouldBe Nature.INPUT }
     }
 })

@@ -23,13 +23,13 @@ private val changes = Arb.bind(Arb.int(0..3), texts.map { now -> now.map { it.re
     PerceptChange(keep, now, keepLast)
 }
 
-class LeanSpec : FunSpec({
+class CompactCycleSpec : FunSpec({
     test("a cycle is read as it was") {
         val places = Arb.element(Place("go", "robot.asl", 3), Place("p__2", "robot.asl", 9), Place())
         checkAll(1_000, Arb.list(snapshots, 0..3), changes, places, places) { snapshots, change, plan, stepOf ->
             val step = Step(1, 1, if (stepOf == Place()) plan else stepOf, 4, "argo.act(stop)")
             val cycle = Cycle(1, 1, 7, input = Input(snapshots = snapshots, percepts = change), course = Course(plan = plan, step = step))
-            val text = Json.encodeToString(Cycle.serializer(), cycle.lean())
+            val text = Json.encodeToString(Cycle.serializer(), cycle.compact())
             Json.decodeFromString(Cycle.serializer(), text).whole() shouldBe cycle
         }
     }
@@ -38,7 +38,7 @@ class LeanSpec : FunSpec({
         val texts = (1..12).map { "dist(front, $it)" } + "temp(21.50)"
         val now = (1..12).map { "dist(front,$it)" } + "temp(21.5)"
         val cycle = Cycle(1, 1, 7, input = Input(listOf(), listOf(PerceivedSnapshot("p", null, 5, texts)), PerceptChange(1, now, 1)))
-        val text = Json.encodeToString(Cycle.serializer(), cycle.lean())
+        val text = Json.encodeToString(Cycle.serializer(), cycle.compact())
         text shouldContain """"percepts":{"keep":1,"keepLast":1,"take":13,"others":{"12":"temp(21.5)"}}"""
         text.split("dist(").size shouldBeLessThan 14
         Json.decodeFromString(Cycle.serializer(), text).whole() shouldBe cycle

@@ -1,18 +1,18 @@
 package argo.recording
 
 /** Returns this cycle in the form for a file, which states nothing twice. [whole] reverses the change. */
-internal fun Cycle.lean(): Cycle = copy(
-    input = input.copy(percepts = input.percepts?.lean(input.snapshots)),
+internal fun Cycle.compact(): Cycle = copy(
+    input = input.copy(percepts = input.percepts?.compact(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == course.plan) it.copy(plan = Place()) else it }),
 )
 
-/** Returns this cycle as it was before [lean]. */
+/** Returns this cycle as it was before [compact]. */
 internal fun Cycle.whole(): Cycle = copy(
     input = input.copy(percepts = input.percepts?.whole(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == Place()) it.copy(plan = course.plan ?: Place()) else it }),
 )
 
-private fun PerceptChange.lean(snapshots: List<PerceivedSnapshot>): PerceptChange {
+private fun PerceptChange.compact(snapshots: List<PerceivedSnapshot>): PerceptChange {
     val texts = snapshots.texts()
     val first = now.indices.firstOrNull { now[it] in texts } ?: return this
     val skip = texts.indexOf(now[first]) - first

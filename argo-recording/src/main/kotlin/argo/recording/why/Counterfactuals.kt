@@ -12,7 +12,7 @@ import kotlin.math.abs
  * Finds other numbers for the percepts of [cause] by trials. Searches for the nearest numbers with which the agent would not have sent the
  * command. [had] replays the agent with another percept in place of a percept of the cause.
  */
-internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
+internal class Counterfactuals(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0
 
     /** Returns the nearest value found for each percept with a number that a condition compares. */

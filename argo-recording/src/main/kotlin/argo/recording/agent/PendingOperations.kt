@@ -13,7 +13,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Structure
 
 /** The operations that an agent has begun outside of its thread and that have not ended. Only for the agent's thread. */
-internal class Begun {
+internal class PendingOperations {
     private val open = HashMap<Int, (End) -> Unit>()
 
     var last = 0

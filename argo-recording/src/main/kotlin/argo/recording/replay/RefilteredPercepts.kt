@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit
  * The recorded percepts, but with [filter] instead of the recorded filters for the boards' messages. Percepts of an environment and beliefs
  * about ports stay as recorded.
  */
-internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
+internal class RefilteredPercepts(private val filter: PerceptionFilter) : ReplayedPercepts {
     private val boards = LinkedHashMap<String, Board>()
     private var recorded: List<Literal> = emptyList()
     private var critical: Set<Literal> = emptySet()

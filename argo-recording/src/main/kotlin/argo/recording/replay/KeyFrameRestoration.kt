@@ -35,7 +35,7 @@ import java.util.zip.InflaterInputStream
  * @param program the parts of the recorded program; the agent's intentions consist of this program's plans
  * @param isProgram whether the agent has the recorded program; if false, the agent keeps its own rules and plans
  */
-internal class Restoration(
+internal class KeyFrameRestoration(
     private val frame: KeyFrame,
     private val ts: TransitionSystem,
     private val program: ProgramParts,

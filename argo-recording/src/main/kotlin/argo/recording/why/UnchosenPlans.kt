@@ -23,7 +23,7 @@ import java.util.IdentityHashMap
  * Watches the plans that would issue the command of [question] in an agent's replay. Notes the events for which these plans were relevant,
  * and the reasons why the agent did not choose them. [ruleOf] returns why the filter of a port's board dropped a text.
  */
-internal class Unchosen(private val question: Question, private val ruleOf: (port: String, text: String) -> String?) {
+internal class UnchosenPlans(private val question: Question, private val ruleOf: (port: String, text: String) -> String?) {
     /** The outcome of a plan at the last event for which the plan was relevant. */
     private class Last(
         val event: Event,

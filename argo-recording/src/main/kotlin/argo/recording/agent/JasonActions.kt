@@ -30,7 +30,7 @@ internal enum class Nature {
  * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse all other code of
  * Jason, and name it.
  */
-internal object JasonCode {
+internal object JasonActions {
     private const val ACTIONS = "jason.stdlib."
     private const val FUNCTIONS = "jason.functions."
 

@@ -5,7 +5,7 @@ import argo.recording.PerceptChange
 import argo.recording.agent.literalOf
 import jason.asSyntax.Literal
 
-internal interface Senses {
+internal interface ReplayedPercepts {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
@@ -16,7 +16,7 @@ internal interface Senses {
     fun takeNewlyCritical(): List<Literal>
 }
 
-internal class RecordedSenses : Senses {
+internal class RecordedPercepts : ReplayedPercepts {
     private var percepts: List<Literal> = emptyList()
     private var critical: List<String> = emptyList()
     private val known = HashMap<String, Literal>()

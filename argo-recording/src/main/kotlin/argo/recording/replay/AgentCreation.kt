@@ -2,11 +2,11 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.insides.IncludeDirective
+import argo.insides.Insides
+import argo.links.BoardLink
 import argo.orders.ProgramSource
 import argo.orders.unreadableAt
-import argo.insides.Insides
-import argo.insides.IncludeDirective
-import argo.links.BoardLink
 import argo.platform.Platform
 import argo.recording.RecordedAgent
 import argo.recording.agent.Counters

@@ -10,8 +10,8 @@ import argo.recording.Refusal
 import argo.recording.RunningRecording
 import argo.recording.RunningRecordings
 import argo.recording.agent.TermWriter
+import argo.recording.compact
 import argo.recording.jsonSchema
-import argo.recording.lean
 import argo.recording.storage.Encoded
 import argo.recording.storage.RecordChannel
 import argo.recording.storage.RecordSink
@@ -27,7 +27,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  * Writes the part of [recording] about the agent called [agent]. Any thread may call the functions. The thread that stores the records
  * makes their texts.
  */
-internal class Track(
+internal class AgentChannels(
     override val agent: String,
     private val recording: SharedRecording,
     private val nanos: () -> Long,
@@ -62,7 +62,7 @@ internal class Track(
         val cycle = note.cycle()
         val refusal = refusalOfTerms(cycle.input) ?: cycle.refusal
         refusal?.let(::warnOf)
-        json(Cycle.serializer(), cycle.copy(refusal = refusal).lean())
+        json(Cycle.serializer(), cycle.copy(refusal = refusal).compact())
     }
 
     /** Returns the refusal of the first term of [input] that could not be written; null if all terms could be written. */
