@@ -6,7 +6,7 @@ import java.net.URLEncoder
 /** The page of one agent. [routes] responds to its requests, and the page receives [states] as a stream. */
 internal class AgentPage(val agent: ObservedAgent) {
     val breakpoints = PageBreakpoints(agent)
-    val routes = Routes(agent, HandRoutes(agent, breakpoints))
+    val routes = Routes(agent, ButtonRoutes(agent, breakpoints))
     val states = Broadcast()
 
     /** The page's path on its server, such as `/bob/`. */

@@ -28,7 +28,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var lastPerception: PerceptionTime? = null
     private var counts = Counts(0, 0, 0, 0)
     private var changes = 0L
-    private val printed = PrintRecord(agent::nanos) { changing {} }
+    private val printed = LogLines(agent::nanos) { changing {} }
 
     /** A number that grows with each event, but not at the end of a cycle. */
     val version: Long get() = lock.withLock { changes }

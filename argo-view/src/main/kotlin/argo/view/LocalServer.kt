@@ -37,7 +37,7 @@ internal val HttpServer.uri: URI get() = URI("http://127.0.0.1:${address.port}/"
 /** Returns the reason for refusing a request for [path], in words; null if it is accepted. */
 internal fun HttpExchange.refusal(path: String): String? {
     val (host, origin, fetchSite) = listOf("Host", "Origin", "Sec-Fetch-Site").map(requestHeaders::getFirst)
-    return RequestGate.refusal(host, origin, fetchSite, isPage = path == "/")
+    return RequestOrigin.refusal(host, origin, fetchSite, isPage = path == "/")
 }
 
 internal fun HttpExchange.send(response: HttpResponse) {

@@ -13,7 +13,7 @@ import java.util.ServiceConfigurationError
  * Responds to the requests of [agent]'s page and its buttons, except for the stream of states. The thread of a request finds and reads
  * filters. The agent's thread changes the agent. Safe for use by several threads.
  */
-internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
+internal class Routes(private val agent: ObservedAgent, buttons: ButtonRoutes) {
     private val routes: Map<String, Route> = mapOf(
         "/" to Route.get { Site.file("view.html", "text/html") },
         "/filters" to Route.get { filters() },
@@ -21,7 +21,7 @@ internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
         "/filter" to Route.post<FilterRequest> { changeFilter(it.name) },
         "/percepts" to Route.post<PerceivingRequest> { perceive(it.open) },
         "/command" to Route.post<CommandRequest> { act(it.command) },
-    ) + hand.routes
+    ) + buttons.routes
 
     private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
 

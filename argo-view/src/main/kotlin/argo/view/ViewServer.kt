@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
     val site = Site()
-    private val seats = PageSeats()
+    private val pageLimit = PageLimit()
     private val isStarted = AtomicBoolean()
     private val threads = RequestThreads(name, nanos)
     private val server = localServer(port, threads, ::handle)
@@ -48,7 +48,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
             found.page == null -> exchange.respond(site.respond(request))
             request.path != EVENTS -> exchange.respond(found.page.routes.respond(request))
             request.method != "GET" -> exchange.respond(HttpResponse.wrongMethod("GET"))
-            !seats.take { stream(exchange, found.page.states) } -> exchange.respond(FULL)
+            !pageLimit.take { stream(exchange, found.page.states) } -> exchange.respond(FULL)
         }
     }
 

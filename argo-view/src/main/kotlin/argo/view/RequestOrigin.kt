@@ -4,7 +4,7 @@ package argo.view
  * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests to this server. The page may
  * use its own host name, which leads to this computer (DNS rebinding), or its visitor's name (CSRF).
  */
-internal object RequestGate {
+internal object RequestOrigin {
     private val LOOPBACK = Regex("""(127\.0\.0\.1|localhost|\[::1])(:\d{1,5})?""", RegexOption.IGNORE_CASE)
 
     /**

@@ -8,7 +8,7 @@ import argo.observing.StopAt
 import kotlinx.serialization.Serializable
 
 /** Responds to the buttons that change [agent] or pause it. Safe for use by several threads. */
-internal class HandRoutes(private val agent: ObservedAgent, private val breakpoints: PageBreakpoints) {
+internal class ButtonRoutes(private val agent: ObservedAgent, private val breakpoints: PageBreakpoints) {
     val routes: Map<String, Route> = mapOf(
         "/believe" to ordering("believed", Order::Believe),
         "/forget" to ordering("forgotten", Order::Forget),

@@ -3,7 +3,7 @@ package argo.view
 import java.util.concurrent.Semaphore
 
 /** Limits the total number of open pages of all agents. Any thread may call the functions. */
-internal class PageSeats {
+internal class PageLimit {
     private val free = Semaphore(MAX_PAGES)
 
     /** Calls [watch] and returns true. If too many pages watch, returns false at once. */

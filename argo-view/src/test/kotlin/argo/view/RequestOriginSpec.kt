@@ -5,9 +5,9 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-class RequestGateSpec : FunSpec({
+class RequestOriginSpec : FunSpec({
     fun refusal(host: String? = "127.0.0.1:8080", origin: String? = null, fetchSite: String? = null, isPage: Boolean = false) =
-        RequestGate.refusal(host, origin, fetchSite, isPage)
+        RequestOrigin.refusal(host, origin, fetchSite, isPage)
 
     context("a request is let in under the host name") {
         listOf("127.0.0.1:8080", "localhost:8080", "LOCALHOST:9", "127.0.0.1", "[::1]:8080").forEach { host ->

@@ -7,11 +7,11 @@ import io.kotest.matchers.shouldBe
 import java.util.logging.Level
 import java.util.logging.LogRecord
 
-class PrintRecordSpec : FunSpec({
+class LogLinesSpec : FunSpec({
     var now = 0L
     var changes = 0
-    fun record() = PrintRecord({ now }) { changes++ }.also { now = 0 }
-    fun PrintRecord.print(text: String, level: Level = Level.INFO) = publish(LogRecord(level, text))
+    fun record() = LogLines({ now }) { changes++ }.also { now = 0 }
+    fun LogLines.print(text: String, level: Level = Level.INFO) = publish(LogRecord(level, text))
 
     test("lines are kept with their ages, the latest first, and each is news") {
         changes = 0

@@ -13,7 +13,7 @@ import java.util.logging.SimpleFormatter
  * @param nanos a clock in ns that never goes back
  * @param changed called after each line
  */
-internal class PrintRecord(private val nanos: () -> Long, private val changed: () -> Unit) : Handler() {
+internal class LogLines(private val nanos: () -> Long, private val changed: () -> Unit) : Handler() {
     private val lines = ArrayDeque<Line>()
     private val words: Formatter = SimpleFormatter()
     private var count = 0L

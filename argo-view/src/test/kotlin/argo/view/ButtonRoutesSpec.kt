@@ -13,7 +13,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-class HandRoutesSpec : FunSpec({
+class ButtonRoutesSpec : FunSpec({
     test("the buttons order the agent, and its answer is the response") {
         val agent = Ordered()
         agent.ask("/believe", """{"text":"-+limit(30)"}""") shouldBe (200 to """{"message":"-+limit(30): believed"}""")
@@ -92,7 +92,7 @@ private class Ordered : ObservedAgent by Nobody {
     val orders = ArrayList<Order>()
     override val pausing = Pauses()
     val page = PageBreakpoints(this)
-    private val routes = HandRoutes(this, page).routes
+    private val routes = ButtonRoutes(this, page).routes
 
     override fun order(order: Order, done: (Outcome) -> Unit) {
         orders += order
