@@ -9,8 +9,8 @@ import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.Commands
 import argo.ros.bridge.FrameTree
+import argo.ros.bridge.LimitedWarnings
 import argo.ros.bridge.NeverSent
-import argo.ros.bridge.OnceEach
 import argo.ros.bridge.OperationListener
 import argo.ros.bridge.Outgoing
 import argo.ros.bridge.RobotGraph
@@ -61,7 +61,7 @@ internal class RosLink private constructor(
 ) : BoardLink {
     private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
-    private val warn = OnceEach { log(Level.WARNING, "port $port: $it") }
+    private val warn = LimitedWarnings { log(Level.WARNING, "port $port: $it") }
 
     private val api = RosApi(clock, ::send)
     private val types = RobotTypes(mapping, api, warn, ::tell)

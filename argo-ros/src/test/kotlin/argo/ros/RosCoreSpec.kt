@@ -1,7 +1,7 @@
 package argo.ros
 
 import argo.links.JavinoLink
-import argo.ros.bridge.OnceEach
+import argo.ros.bridge.LimitedWarnings
 import argo.ros.bridge.flag
 import argo.ros.bridge.operationIn
 import argo.ros.bridge.text
@@ -155,7 +155,7 @@ private class Blinker : Sketch {
 /** A board of [sketch] that takes part in a graph as `/uno`, with known actions. */
 private class Uno(bridge: Int, private val sketch: Blinker) : AutoCloseable {
     val told = ConcurrentLinkedQueue<String>()
-    private val warn = OnceEach { told += it }
+    private val warn = LimitedWarnings { told += it }
     private val topics = Topics(warn)
     private val board = JoinedBoard("uno", "sim:$NAME", topics, 20, 500, false, ::open, { told += it }, warn)
     private val known = object : Participant by board {

@@ -3,7 +3,7 @@ package argo.ros.joining
 import argo.observing.AgentObserver
 import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
-import argo.ros.bridge.OnceEach
+import argo.ros.bridge.LimitedWarnings
 import java.util.logging.Logger
 
 /** Publishes agents with the option `argo_ros` in a ROS graph. */
@@ -13,7 +13,7 @@ class AgentRosProvider : AgentObserverProvider {
 
     override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? = try {
         val bridge = BridgeAddress.of(value.trim().removeSurrounding("\""))
-        val warn = OnceEach { log.warning("$option: $it") }
+        val warn = LimitedWarnings { log.warning("$option: $it") }
         val topics = Topics(warn)
         lateinit var membership: Membership
         val observer = AgentRos(agent, topics, warn) { membership.close() }

@@ -109,8 +109,8 @@ internal class Membership(
     private inner class Connection : OperationListener(warn) {
         lateinit var bridge: Bridge
         private val api = RosApi(clock, ::send)
-        private val offers = Offers(participant, ::answer, warn)
-        private val presence = Presence(api, warn) {
+        private val advertised = AdvertisedServices(participant, ::answer, warn)
+        private val advertisement = AdvertisementCheck(api, warn) {
             restMs = REJOINING_MS
             gone("the graph at $place has lost its topics, as after a restart of roscore")
         }
@@ -126,15 +126,15 @@ internal class Membership(
 
         fun begin() {
             topics.renew()
-            api.ask("/rosapi/get_ros_version").whenComplete { answer, _ -> offers.announceAction(answer?.text("version") == "2") }
+            api.ask("/rosapi/get_ros_version").whenComplete { answer, _ -> advertised.announceAction(answer?.text("version") == "2") }
         }
 
         fun goOn() {
             val now = clock.nanos()
-            if (offers.renew()) checkNanos = now + FIRST_CHECK_NANOS
+            if (advertised.renew()) checkNanos = now + FIRST_CHECK_NANOS
             if (checkNanos - now <= 0) {
                 checkNanos = now + CHECK_NANOS
-                presence.check(rounds.advertised + offers.topics, offers.services)
+                advertisement.check(rounds.advertised + advertised.topics, advertised.services)
             }
             if (!rounds.goOn(bridge)) gone("the bridge at $place has not answered a ping for ${MessageRounds.ANSWER_S} s")
         }
@@ -149,7 +149,7 @@ internal class Membership(
             send(message)
         }
 
-        override fun hear(operation: JsonObject) = api.heard(operation, clock.nanos()) || offers.hear(operation)
+        override fun hear(operation: JsonObject) = api.heard(operation, clock.nanos()) || advertised.hear(operation)
 
         override fun isAlive() = Unit
 
@@ -165,7 +165,7 @@ internal class Membership(
 
         fun leave() {
             if (end == null) {
-                offers.takeAllBack()
+                advertised.takeAllBack()
                 val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge withdraws the rest
                 bridge.send(last)
                 try {

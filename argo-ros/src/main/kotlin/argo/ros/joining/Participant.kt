@@ -53,11 +53,12 @@ internal class PerceptPublisher(private val base: String, private val topics: To
 
     /** Publishes a message that has been split into its [percepts]. */
     fun publish(percepts: List<String>) {
-        val samples = percepts.mapNotNull { percept -> sampleOf(percept) ?: null.also { leftOut(percept) } }.groupBy { it.topic to it.type }
-        val now = samples.keys.filter { it.second == BOOL }.map { it.first }.toSet()
+        val messages = percepts.mapNotNull { percept -> publishedOf(percept) ?: null.also { leftOut(percept) } }
+            .groupBy { it.topic to it.type }
+        val now = messages.keys.filter { it.second == BOOL }.map { it.first }.toSet()
         (plain - now).forEach { topics.publish("$base/$it", BOOL, listOf(ABSENT)) }
         plain = now
-        samples.forEach { (key, its) -> topics.publish("$base/${key.first}", key.second, its.map { it.message }) }
+        messages.forEach { (key, its) -> topics.publish("$base/${key.first}", key.second, its.map { it.message }) }
         topics.publish("$base/$ALL", STRING, listOf(data(JsonPrimitive(percepts.joinToString("") { "$it;" }))))
     }
 

@@ -2,7 +2,7 @@ package argo.ros.joining
 
 import argo.links.BoardLink
 import argo.links.JavinoLink
-import argo.ros.bridge.OnceEach
+import argo.ros.bridge.LimitedWarnings
 import argo.tools.board.LineOptions
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolProvider
@@ -66,7 +66,7 @@ internal class RosJoinCommand : ToolCommand() {
 
     /** Adds the board [name] to the graph. Closing the result removes the board. */
     private fun join(name: String, port: String, bridge: BridgeAddress): AutoCloseable {
-        val warn = OnceEach { tell("/$name: $it") }
+        val warn = LimitedWarnings { tell("/$name: $it") }
         val topics = Topics(warn)
         val board = JoinedBoard(name, port, topics, intervalMs, line.timeoutMs, listens, { open(port) }, ::tell, warn)
         val membership = Membership(board, topics, bridge, ::tell, warn)

@@ -2,7 +2,7 @@ package argo.ros.joining
 
 import argo.ros.LIMIT
 import argo.ros.TestBridge
-import argo.ros.bridge.OnceEach
+import argo.ros.bridge.LimitedWarnings
 import argo.ros.bridge.part
 import argo.ros.bridge.text
 import io.kotest.assertions.nondeterministic.eventually
@@ -30,7 +30,7 @@ internal class JoinedRobot(var bridge: TestBridge) : AutoCloseable {
     val robot = TestRobot()
 
     val told = ConcurrentLinkedQueue<String>()
-    private val warn = OnceEach { told += it }
+    private val warn = LimitedWarnings { told += it }
     val topics = Topics(warn)
     private val publisher = PerceptPublisher("/uno", topics, warn)
     val membership = Membership(robot, topics, BridgeAddress.of("127.0.0.1:${bridge.number}"), { told += it }, warn).apply { start() }

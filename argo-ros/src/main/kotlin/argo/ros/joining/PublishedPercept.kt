@@ -12,7 +12,7 @@ import kotlinx.serialization.json.JsonPrimitive
  * @property topic the end of the topic's name, such as `dist/front`
  * @property type a type of `std_msgs`
  */
-internal data class Sample(val topic: String, val type: String, val message: JsonObject)
+internal data class PublishedPercept(val topic: String, val type: String, val message: JsonObject)
 
 /**
  * Returns the percept [text] as a message, or null if it is no literal or has variables.
@@ -20,7 +20,7 @@ internal data class Sample(val topic: String, val type: String, val message: Jso
  * The functor and all arguments except the last form the topic's name. The last argument is the value: `dist(front,38)` is 38 on
  * `dist/front`. A percept without arguments has the value `true`.
  */
-internal fun sampleOf(text: String): Sample? {
+internal fun publishedOf(text: String): PublishedPercept? {
     val percept = GroundTerm.ofOrNull(text) as? GroundTerm.Structure ?: return null
     val arguments = percept.arguments
     val places = arguments.dropLast(1).takeWhile { it is GroundTerm.Structure && it.arguments.isEmpty() }
@@ -29,12 +29,12 @@ internal fun sampleOf(text: String): Sample? {
     val values = arguments.drop(places.size)
     val value = values.singleOrNull()
     return when {
-        values.isEmpty() -> Sample(topic, BOOL, data(JsonPrimitive(true)))
-        value is GroundTerm.Number -> Sample(topic, NUMBER, data(JsonPrimitive(value.value)))
-        value is GroundTerm.Text -> Sample(topic, STRING, data(JsonPrimitive(value.text)))
-        "$value" == "true" || "$value" == "false" -> Sample(topic, BOOL, data(JsonPrimitive("$value" == "true")))
-        values.all { it is GroundTerm.Number } -> Sample(topic, NUMBERS, numbers(values.map { (it as GroundTerm.Number).value }))
-        else -> Sample(topic, STRING, data(JsonPrimitive(values.joinToString(","))))
+        values.isEmpty() -> PublishedPercept(topic, BOOL, data(JsonPrimitive(true)))
+        value is GroundTerm.Number -> PublishedPercept(topic, NUMBER, data(JsonPrimitive(value.value)))
+        value is GroundTerm.Text -> PublishedPercept(topic, STRING, data(JsonPrimitive(value.text)))
+        "$value" == "true" || "$value" == "false" -> PublishedPercept(topic, BOOL, data(JsonPrimitive("$value" == "true")))
+        values.all { it is GroundTerm.Number } -> PublishedPercept(topic, NUMBERS, numbers(values.map { (it as GroundTerm.Number).value }))
+        else -> PublishedPercept(topic, STRING, data(JsonPrimitive(values.joinToString(","))))
     }
 }
 

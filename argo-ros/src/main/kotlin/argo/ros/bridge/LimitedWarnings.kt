@@ -1,7 +1,7 @@
 package argo.ros.bridge
 
 /** Logs each text once, and at most [MAX_TEXTS] texts, since a bridge may send any number of texts. Safe for use by several threads. */
-internal class OnceEach(private val log: (String) -> Unit) : (String) -> Unit {
+internal class LimitedWarnings(private val log: (String) -> Unit) : (String) -> Unit {
     private val told = HashSet<String>()
 
     override fun invoke(text: String) {

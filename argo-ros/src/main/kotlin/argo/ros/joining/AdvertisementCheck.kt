@@ -9,7 +9,7 @@ import argo.ros.mapping.rosType
  * @param warn takes reports of missing topics and services, each text once
  * @param lost called if the graph has lost all topics and services of a participant, for example after a restart of `roscore`
  */
-internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
+internal class AdvertisementCheck(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
     private var wasSeen = false // only the bridge's thread uses it
 
     /** Asks for the topics and services of the graph, and compares them and their types with [topics] and [services]. */

@@ -14,7 +14,11 @@ import java.util.concurrent.atomic.AtomicInteger
  * participant. Each action of the participant has its own service and topic. A general service, topic and ROS action take any command. One
  * thread may call [hear] while another calls [renew]. [warn] takes reports of actions that cannot be offered, each text once.
  */
-internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
+internal class AdvertisedServices(
+    private val participant: Participant,
+    private val send: (String) -> Unit,
+    private val warn: (String) -> Unit,
+) {
     /** @property action the action's name; null: any command, as text */
     private data class Offer(val action: String?, val arities: Set<Int>) {
         val isPlain get() = arities.singleOrNull() == 0

@@ -3,8 +3,8 @@ package argo.ros.joining
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class SampleSpec : FunSpec({
-    fun shown(percept: String) = sampleOf(percept)?.run { "$topic $type ${message["data"]}" }
+class PublishedPerceptSpec : FunSpec({
+    fun shown(percept: String) = publishedOf(percept)?.run { "$topic $type ${message["data"]}" }
 
     mapOf(
         "dist(front,38)" to "dist/front std_msgs/Float64 38.0",
