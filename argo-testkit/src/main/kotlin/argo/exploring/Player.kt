@@ -17,7 +17,7 @@ internal class Player(private val exploration: Exploration, private val events: 
 
     private data class Trouble(val isUnplugged: Boolean, val hangs: Boolean)
 
-    fun play(program: Program): Run = mas.use {
+    fun play(program: ExploredProgram): Run = mas.use {
         mas.mostCycles = MOST_CYCLES
         mas.delayOf = { state.messageDelay(it.receiver, recorder.now) }
         try {

@@ -51,17 +51,17 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
         requireAgents(calm)
         calm.differenceFrom(play(emptyList()))?.let { return NotDeterministic(runs, played, emptyList(), it) }
         scenario.breachIn(calm)?.let { (rule, _) -> return found(null, rule, emptyList()) }
-        return among(EventSource(exploration, calm.agents), end)
+        return among(RandomEvents(exploration, calm.agents), end)
     }
 
-    private fun among(source: EventSource, end: TimeMark): Outcome {
+    private fun among(random: RandomEvents, end: TimeMark): Outcome {
         var left = exploration.runs
         for (seed in exploration.seed until exploration.seed + exploration.runs) {
             if (left-- <= 0 || end.hasPassedNow()) break
-            val events = source.events(seed)
+            val events = random.events(seed)
             val run = play(events)
             outcome(seed, events, run)?.let { return it }
-            val hit = if (isHit(seed) && left > 0) source.atCommand(run, events, seed) else null
+            val hit = if (isHit(seed) && left > 0) random.atCommand(run, events, seed) else null
             if (hit == null) continue
             left--
             outcome(seed, hit, play(hit))?.let { return it }

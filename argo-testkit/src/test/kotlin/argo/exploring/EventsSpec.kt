@@ -55,14 +55,14 @@ class EventsSpec : FunSpec({
 
     test("the same seed draws the same events, another one others") {
         val exploration = Exploration().apply { board("ttyACM0") { sensor("dist(front,%d)", 5..200) } }
-        val source = EventSource(exploration, listOf("robot"))
-        source.events(7) shouldBe EventSource(exploration, listOf("robot")).events(7)
+        val source = RandomEvents(exploration, listOf("robot"))
+        source.events(7) shouldBe RandomEvents(exploration, listOf("robot")).events(7)
         (1L..50L).map(source::events).distinct().size shouldBe 50
         (1L..50L).flatMap(source::events).all { it.at <= exploration.eventful } shouldBe true
     }
 
     test("all kinds of faults that are played are drawn, and none that is not") {
-        fun kinds(vararg faults: Fault) = EventSource(
+        fun kinds(vararg faults: Fault) = RandomEvents(
             Exploration().apply {
                 board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
                 message("robot", "boss", "achieve", "go")

@@ -1,7 +1,7 @@
 package argo.recording
 
-import argo.exploring.EventSource
 import argo.exploring.Exploration
+import argo.exploring.RandomEvents
 import argo.exploring.runOf
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
@@ -16,7 +16,7 @@ import kotlin.time.Duration.Companion.seconds
 internal class SeededDrives(val source: String, val agents: List<String>, private val boards: Exploration.() -> Unit) {
     fun record(seed: Long, file: Path) {
         val drawn = Exploration().apply(::describe)
-        runOf(source, EventSource(drawn, agents).events(seed)) {
+        runOf(source, RandomEvents(drawn, agents).events(seed)) {
             describe(this)
             agents { options("argo_record" to "$file") }
         }

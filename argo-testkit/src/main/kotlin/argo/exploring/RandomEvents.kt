@@ -5,7 +5,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /** Draws the events of a run of [exploration] from a seed: equal seeds give equal events. Messages go to the agents named [agents]. */
-internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
+internal class RandomEvents(private val exploration: Exploration, private val agents: List<String>) {
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
 
