@@ -44,29 +44,29 @@ internal class Documents(
     private val texts: OpenTexts,
     private val worker: Executor,
     private val languages: Languages,
-    private val diagnosis: Diagnosis,
+    private val diagnostics: Diagnostics,
     private val notify: (String) -> Unit,
 ) : TextDocumentService {
     override fun didOpen(parameters: DidOpenTextDocumentParams) {
         val opened = parameters.textDocument
         texts.open(Text(opened.uri, opened.version, opened.text))
-        diagnosis.changed()
+        diagnostics.changed()
     }
 
     override fun didChange(parameters: DidChangeTextDocumentParams) {
         texts.change(parameters.textDocument.uri, parameters.textDocument.version, parameters.contentChanges)
-        diagnosis.changed()
+        diagnostics.changed()
     }
 
     override fun didClose(parameters: DidCloseTextDocumentParams) {
         texts.close(parameters.textDocument.uri)
         worker.execute { languages.filesChanged() } // unsaved changes of the closed text are gone
-        diagnosis.closed(parameters.textDocument.uri)
+        diagnostics.closed(parameters.textDocument.uri)
     }
 
     override fun didSave(parameters: DidSaveTextDocumentParams) {
         worker.execute { languages.filesChanged() }
-        diagnosis.changed()
+        diagnostics.changed()
     }
 
     override fun completion(parameters: CompletionParams): CompletableFuture<Either<List<CompletionItem>, CompletionList>> =

@@ -27,10 +27,10 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
         .apply { removeOnCancelPolicy = true }
     private val texts = OpenTexts()
     private val languages = Languages(texts, ::warn)
-    private val diagnosis =
-        Diagnosis(texts, worker, languages::diagnostics, languages::rehearse, { client.publishDiagnostics(it) }, ::report)
-    private val documents = Documents(texts, worker, languages, diagnosis, ::warn)
-    private val workspace = Workspace(worker, languages, diagnosis)
+    private val diagnostics =
+        Diagnostics(texts, worker, languages::diagnostics, languages::rehearse, { client.publishDiagnostics(it) }, ::report)
+    private val documents = Documents(texts, worker, languages, diagnostics, ::warn)
+    private val workspace = Workspace(worker, languages, diagnostics)
     private val end = CompletableFuture<Int>()
     private lateinit var client: LanguageClient
 

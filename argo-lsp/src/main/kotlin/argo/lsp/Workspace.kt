@@ -9,11 +9,11 @@ import java.util.concurrent.Executor
 internal class Workspace(
     private val worker: Executor,
     private val languages: Languages,
-    private val diagnosis: Diagnosis,
+    private val diagnostics: Diagnostics,
 ) : WorkspaceService {
     override fun didChangeWatchedFiles(parameters: DidChangeWatchedFilesParams) {
         worker.execute { languages.filesChanged() }
-        diagnosis.changed()
+        diagnostics.changed()
     }
 
     override fun didChangeConfiguration(parameters: DidChangeConfigurationParams) = Unit

@@ -45,7 +45,7 @@ internal class AgentLanguage(
     override fun symbols(text: Text): List<DocumentSymbol> = with(text) { _, source -> outlineOf(source.program, text) }
 
     override fun layout(text: Text): List<TextEdit> =
-        with(text) { _, source -> layoutOf(source.program).map { TextEdit(text.range(it.span), it.text) } }
+        with(text) { _, source -> formattingOf(source.program).map { TextEdit(text.range(it.span), it.text) } }
 
     private fun <T> with(text: Text, work: (Project, Source) -> T): T = projectOf(text).let { work(it, it.sourceOf(text)) }
 }

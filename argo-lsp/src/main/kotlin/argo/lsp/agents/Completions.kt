@@ -16,21 +16,21 @@ import org.eclipse.lsp4j.InsertTextFormat
 
 /** Finds the words that are possible at a cursor in an agent's program. */
 internal class Completions(private val project: Project, private val source: Source, offset: Int, private val words: Words) {
-    private val typing = Typing(source.program, offset)
-    private val call = typing.calls.firstOrNull()
+    private val cursor = ProgramPlace(source.program, offset)
+    private val call = cursor.calls.firstOrNull()
     private val family = project.family(source)
     private val action = words.actionIn(call?.name.orEmpty())
 
     fun items(): List<CompletionItem> {
-        if (typing.isAside) return emptyList()
+        if (cursor.isAside) return emptyList()
         return inCall() ?: when {
-            typing.prefix.endsWith("!") -> goals()
-            typing.prefix.endsWith("?") -> beliefs() + percepts()
-            '.' in typing.text -> actions()
-            typing.region == Region.HEAD -> if (typing.prefix.isEmpty()) emptyList() else percepts() + beliefs()
-            typing.region == Region.CONTEXT -> percepts() + beliefs() + actions()
-            typing.region == Region.BODY && typing.prefix.isEmpty() -> actions() + beliefs()
-            typing.region == Region.BODY -> beliefs()
+            cursor.prefix.endsWith("!") -> goals()
+            cursor.prefix.endsWith("?") -> beliefs() + percepts()
+            '.' in cursor.text -> actions()
+            cursor.region == Region.HEAD -> if (cursor.prefix.isEmpty()) emptyList() else percepts() + beliefs()
+            cursor.region == Region.CONTEXT -> percepts() + beliefs() + actions()
+            cursor.region == Region.BODY && cursor.prefix.isEmpty() -> actions() + beliefs()
+            cursor.region == Region.BODY -> beliefs()
             else -> emptyList()
         }.distinctBy { it.label }
     }
@@ -40,7 +40,7 @@ internal class Completions(private val project: Project, private val source: Sou
         call == null -> null
         call.name == "error" && call.argument == 0 ->
             words.errors.map { (error, cause) -> item(error, CompletionItemKind.EnumMember, cause) }
-        call.isInList && action == null -> option(typing.calls.drop(1).firstOrNull())
+        call.isInList && action == null -> option(cursor.calls.drop(1).firstOrNull())
         action == "change_filter" && call.argument == 0 -> filters()
         action == "act" && call.argument == 0 || action == "can" -> project.robot.registered.map { command(it.meaning) }
         action == "percepts" -> listOf("open", "block", "close").map { item(it, CompletionItemKind.EnumMember, "") }
@@ -62,7 +62,7 @@ internal class Completions(private val project: Project, private val source: Sou
     private fun beliefs(): List<CompletionItem> = symbols(Subject.BELIEF, CompletionItemKind.Field)
 
     private fun symbols(subject: Subject, kind: CompletionItemKind): List<CompletionItem> = family
-        .flatMap { it.occurrences }.filter { it.symbol.subject == subject && !it.literal.span.touches(typing.word.end) }
+        .flatMap { it.occurrences }.filter { it.symbol.subject == subject && !it.literal.span.touches(cursor.word.end) }
         .groupBy { it.symbol }.map { (symbol, places) ->
             val place = places.firstOrNull { it.isDefinition } ?: places.first()
             item(symbol.functor, kind, "", arguments = place.literal.arguments.size, insert = call(place))
@@ -85,7 +85,7 @@ internal class Completions(private val project: Project, private val source: Sou
     private fun actions(): List<CompletionItem> = words.actions.map { (name, page) -> item(name, CompletionItemKind.Function, page) }
 
     private fun item(label: String, kind: CompletionItemKind, meaning: String, arguments: Int = 0, insert: String = label) =
-        completion(label, kind, meaning, source.text, typing.word).apply {
+        completion(label, kind, meaning, source.text, cursor.word).apply {
             if (arguments > 0) labelDetails = CompletionItemLabelDetails().apply { detail = "/$arguments" }
             val isSnippet = insert != label && words.hasSnippets
             insertTextFormat = if (isSnippet) InsertTextFormat.Snippet else InsertTextFormat.PlainText

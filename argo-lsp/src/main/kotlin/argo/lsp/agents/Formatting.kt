@@ -11,18 +11,18 @@ import argo.check.syntax.Unread
 import argo.check.syntax.programOf
 
 /**
- * Returns the blanks of [program] that the layout changes. It changes blanks at the ends of lines, at the beginnings of lines, and beside
- * brackets, commas and operators. The layout neither joins nor splits lines. Several blanks in a row stay, since they may align a column.
+ * Returns the blanks of [program] that formatting changes. It changes blanks at the ends of lines, at the beginnings of lines, and beside
+ * brackets, commas and operators. Formatting neither joins nor splits lines. Several blanks in a row stay, since they may align a column.
  * Components with an error stay unchanged.
  */
-internal fun layoutOf(program: Program): List<Blanks> {
-    val changes = Layout(program).changes()
+internal fun formattingOf(program: Program): List<Blanks> {
+    val changes = Formatting(program).changes()
     val result = StringBuilder(program.text)
     changes.asReversed().forEach { result.replace(it.span.start, it.span.end, it.text) }
     return changes.takeIf { programOf("$result").tokens.map(Token::text) == program.tokens.map(Token::text) }.orEmpty()
 }
 
-private class Layout(private val program: Program) {
+private class Formatting(private val program: Program) {
     private val text = program.text
     private val tokens = program.tokens
 

@@ -21,7 +21,7 @@ internal enum class Region {
 }
 
 /** The place of a cursor in [program]. The program may be incomplete there. */
-internal class Typing(private val program: Program, private val offset: Int) {
+internal class ProgramPlace(private val program: Program, private val offset: Int) {
     private val touched = program.tokens.lastOrNull { it.span.start < offset && it.span.end >= offset }
 
     /** True if the cursor is in a comment or a string. */

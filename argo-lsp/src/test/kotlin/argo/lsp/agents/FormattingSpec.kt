@@ -17,11 +17,11 @@ import kotlin.io.path.readText
 import kotlin.io.path.walk
 
 private fun laidOut(text: String): String =
-    layoutOf(programOf(text)).foldRight(StringBuilder(text)) { blanks, result ->
+    formattingOf(programOf(text)).foldRight(StringBuilder(text)) { blanks, result ->
         result.replace(blanks.span.start, blanks.span.end, blanks.text)
     }.toString()
 
-class LayoutSpec : FunSpec({
+class FormattingSpec : FunSpec({
     val samples = Path.of("../samples").walk().filter { it.extension == "asl" && "target" !in "$it" }.map { it.readText() }.toList()
 
     test("blanks, indentation and the end of the text") {

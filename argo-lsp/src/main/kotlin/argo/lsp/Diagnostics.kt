@@ -17,7 +17,7 @@ import java.util.concurrent.TimeUnit
  * @param publish sends findings to the editor
  * @param fail called with errors that [find] throws
  */
-internal class Diagnosis(
+internal class Diagnostics(
     private val texts: OpenTexts,
     private val worker: ScheduledExecutorService,
     private val find: (Text) -> List<Diagnostic>,
