@@ -10,12 +10,12 @@ import argo.check.rules.BeliefRules
 import argo.check.rules.Facts
 import argo.check.rules.FilterRules
 import argo.check.rules.GoalRules
-import argo.check.rules.InputRules
 import argo.check.rules.InternalActionRules
 import argo.check.rules.PerceptFileRules
 import argo.check.rules.PlanOrderRules
 import argo.check.rules.ProjectFileRules
 import argo.check.rules.Report
+import argo.check.rules.RequiredArgumentRules
 import argo.check.rules.RobotRules
 import argo.check.rules.Rule
 import argo.check.rules.Scene
@@ -46,7 +46,7 @@ class ProjectCheck(private val project: Project) {
     private companion object {
         val RULES: List<Rule> = listOf(
             SyntaxRules, GoalRules, BeliefRules, VariableRules, InternalActionRules, ActionRules, PlanOrderRules, ArgumentOrderRules,
-            VariableKindRules, InputRules, ArgoCallRules, FilterRules, RobotRules, SingleNameRules,
+            VariableKindRules, RequiredArgumentRules, ArgoCallRules, FilterRules, RobotRules, SingleNameRules,
         )
     }
 }

@@ -75,9 +75,9 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
 
     private fun entries(): List<List<Token>> {
         val entries = arrayListOf(ArrayList<Token>())
-        val all = after(MasFrame.AGENTS)
+        val all = after(MasSyntax.AGENTS)
         for ((index, token) in all.withIndex()) {
-            if (token.isSymbol("}") || all.getOrNull(index + 1)?.isSymbol(":") == true && token.text in MasFrame.SECTIONS) break
+            if (token.isSymbol("}") || all.getOrNull(index + 1)?.isSymbol(":") == true && token.text in MasSyntax.SECTIONS) break
             if (token.isSymbol(";")) entries += ArrayList<Token>() else entries.last() += token
         }
         return entries.filter { it.isNotEmpty() }
@@ -85,7 +85,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
 
     private fun agent(entry: List<Token>): MasAgent? {
         val name = entry.first().takeIf { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE } ?: return null
-        val file = entry.drop(1).takeWhile { !it.isSymbol("[") && it.text != "#" && it.text !in MasFrame.WORDS }
+        val file = entry.drop(1).takeWhile { !it.isSymbol("[") && it.text != "#" && it.text !in MasSyntax.WORDS }
         val written = if (file.isEmpty()) name.text else text.substring(file.first().span.start, file.last().span.end)
         val behind = entry.zipWithNext()
         return MasAgent(
@@ -105,7 +105,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     }
 
     /** The first token that Jason refuses in the head, the sections and the agents' ends; null: Jason accepts these parts. */
-    internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
+    internal val error: SyntaxError? by lazy { MasSyntax(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
     private companion object {
         /** The infrastructures that use one computer. */

@@ -8,17 +8,17 @@ internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val often = scene.facts.often(Role.ACTION)
         val goals = scene.mentions(Role.HANDLED).map { it.functor }.toSet()
-        val namesOfMore = HashMap<Int, Names>()
+        val namesOfMore = HashMap<Int, SimilarNames>()
         for (action in scene.program.mentions[Role.ACTION]) {
             val times = often.getValue(action.functor)
             val names = namesOfMore.getOrPut(times) {
-                Names(often.filter { it.value > times }.keys + scene.project.operations + OF_ARTIFACTS)
+                SimilarNames(often.filter { it.value > times }.keys + scene.project.operations + OF_ARTIFACTS)
             }
             action(action, names, goals, scene, report)
         }
     }
 
-    private fun action(action: Mention, names: Names, goals: Set<String>, scene: Scene, report: Report) {
+    private fun action(action: Mention, names: SimilarNames, goals: Set<String>, scene: Scene, report: Report) {
         if (action.functor in scene.project.foreignNames || action.functor in KNOWN || scene.isSentByOthers(action)) return
         val meant = names.near(action.functor)
         val internal = "." + action.functor

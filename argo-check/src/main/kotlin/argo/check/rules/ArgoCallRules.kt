@@ -40,7 +40,8 @@ internal object ArgoCallRules : Rule {
 
     private fun call(call: Call, calls: List<Call>, report: Report) {
         if (!ArgoActions.exists(call.name)) {
-            val meant = Names.near(call.action.lowercase(), ArgoActions.NAMES) ?: call.action.lowercase().takeIf { it in ArgoActions.NAMES }
+            val action = call.action.lowercase()
+            val meant = SimilarNames.near(action, ArgoActions.NAMES) ?: action.takeIf { it in ArgoActions.NAMES }
             report.error(
                 "internal-action", call.mention.span, "there is no internal action ${call.name}",
                 "Jason takes it for an action of the environment",
@@ -220,7 +221,7 @@ internal object ArgoCallRules : Rule {
     private fun error(annotation: Literal, report: Report) {
         val written = (annotation.arguments.single() as? Literal)?.takeIf { it.arity == 0 }?.functor ?: return
         if (written in ArgoActions.ERRORS || written in ArgoActions.JASON_ERRORS) return
-        val meant = Names.near(written, ArgoActions.ERRORS + ArgoActions.JASON_ERRORS) ?: return
+        val meant = SimilarNames.near(written, ArgoActions.ERRORS + ArgoActions.JASON_ERRORS) ?: return
         report.warning("error-atom", annotation.span, "no action fails with error($written)",
             "the plan is never used, unless .fail makes it", "did you mean error($meant)?")
     }

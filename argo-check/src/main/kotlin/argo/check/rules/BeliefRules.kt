@@ -25,9 +25,9 @@ internal object BeliefRules : Rule {
         val arities = GoalRules.aritiesIn(believed)
         val base = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations
         val isClosed = scene.isClosed && scene.agents.none { it.isArgo } && !scene.isOpen(Role.BELIEVED) && !scene.facts.isOpen(Role.TOLD)
-        val names = Names(base)
-        val namesOfMore = Names(base + often.filter { it.value > 1 }.keys)
-        val namesOfAll = Names(base + often.keys)
+        val names = SimilarNames(base)
+        val namesOfMore = SimilarNames(base + often.filter { it.value > 1 }.keys)
+        val namesOfAll = SimilarNames(base + often.keys)
         for (mention in READS.flatMap { scene.program.mentions[it] }) {
             val indicator = mention.literal.indicator
             if (indicator in known || indicator in tests || mention.functor in percepts || scene.isKnownElsewhere(mention)) continue
@@ -59,8 +59,8 @@ internal object BeliefRules : Rule {
         val known = (reads + scene.mentions(Role.TEST_HANDLED)).map { it.functor }.toSet()
         val isClosed = scene.isClosed && !scene.facts.isOpen(Role.ASKED) && !scene.isOpen(Role.READ, Role.EVENT)
         val often = believed.groupingBy { it.functor }.eachCount()
-        val names = Names(known)
-        val namesOfMore = Names(known + often.filter { it.value > 1 }.keys)
+        val names = SimilarNames(known)
+        val namesOfMore = SimilarNames(known + often.filter { it.value > 1 }.keys)
         for (mention in scene.program.mentions[Role.BELIEVED]) {
             if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
             val meant = (if (often.getValue(mention.functor) == 1) namesOfMore else names).near(mention.functor)

@@ -36,9 +36,9 @@ internal class Facts(val project: Project) {
     }
 
     /** The arguments of goals and rules that need a value. */
-    val inputs: Inputs by lazy {
+    val requiredArguments: RequiredArguments by lazy {
         val believed = mentions(Role.BELIEVED, Role.TOLD).groupingBy { it.literal.indicator }.eachCount()
-        Inputs(project.programs.values.flatMap { it.program.components.flatMap(::clauses) }, believed)
+        RequiredArguments(project.programs.values.flatMap { it.program.components.flatMap(::clauses) }, believed)
     }
 
     val arguments: Arguments by lazy { Arguments(project.programs.values) }
@@ -54,7 +54,7 @@ internal class Facts(val project: Project) {
     private val times: Map<String, Int> by lazy { byRole.values.flatten().groupingBy { it.functor }.eachCount() }
 
     /** All names that programs mention, and the names of JaCaMo. */
-    val names: Names by lazy { Names(times.keys + Scene.OF_JACAMO) }
+    val names: SimilarNames by lazy { SimilarNames(times.keys + Scene.OF_JACAMO) }
 
     fun times(name: String): Int = times.getOrDefault(name, 0)
 

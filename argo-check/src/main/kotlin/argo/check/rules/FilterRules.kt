@@ -48,7 +48,7 @@ internal object FilterRules : Rule {
             .filter { reflex -> actions.none { RobotRules.isFor(it, reflex) } }
         return unknown.map { reflex ->
             val line = file.text.lines().indexOfFirst { reflex in it } + 1
-            val meant = Names.near(reflex.substringBefore('('), actions.map { it.name })
+            val meant = SimilarNames.near(reflex.substringBefore('('), actions.map { it.name })
             Finding(
                 "reflex", Level.WARNING, file.place(maxOf(line, 1)), "no board of the project has the action $reflex",
                 "the reflex does nothing", meant?.let { "did you mean $it?" } ?: "there are ${actions.joinToString()}",
@@ -71,7 +71,7 @@ internal object FilterRules : Rule {
         val name = nameIn(call) ?: return
         if (name == "none" || name == "remove" || scene.project.filters.any { it.isCalled(name) } ||
             name in scene.project.operations) return
-        val meant = Names.near(name, scene.project.filters.map { it.name })
+        val meant = SimilarNames.near(name, scene.project.filters.map { it.name })
         report.hint(
             "filter-missing", call.literal.arguments.single().span,
             "the project has no file of the filter $name, and no Kotlin source that makes it",

@@ -25,7 +25,7 @@ internal object FleetRules {
     private fun fleet(fleet: MasFleet, report: Report) {
         fleet.options.filter { it.text !in OPTIONS }.forEach {
             report.error(RULE, it.span, "$it is no option of Fleet", REFUSED,
-                Names.near(it.text, OPTIONS)?.let { name -> "did you mean $name?" } ?: "there are ${OPTIONS.joinToString()}")
+                SimilarNames.near(it.text, OPTIONS)?.let { name -> "did you mean $name?" } ?: "there are ${OPTIONS.joinToString()}")
         }
         fleet.hosts.groupBy { it.text }.values.mapNotNull { it.getOrNull(1) }.forEach {
             report.error(RULE, it.span, "two computers are called $it", REFUSED, "give each a name of its own")
@@ -46,7 +46,7 @@ internal object FleetRules {
         }
         computers.filter { known.isNotEmpty() && it !in known }.forEach {
             report.error(RULE, at.span, "agent ${agent.name} is at $it, which is none of the fleet's hosts", REFUSED,
-                Names.near(it, known)?.let { name -> "did you mean $name?" } ?: "there are ${known.joinToString()}")
+                SimilarNames.near(it, known)?.let { name -> "did you mean $name?" } ?: "there are ${known.joinToString()}")
         }
     }
 

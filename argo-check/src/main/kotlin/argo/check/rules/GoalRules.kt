@@ -16,7 +16,7 @@ internal object GoalRules : Rule {
         if (scene.isOpen(Role.HANDLED)) return
         val handled = scene.mentions(Role.HANDLED, Role.FAILURE_HANDLED)
         val others = handled.map { it.functor }.toSet() + scene.facts.postedOften + if (scene.hasUnknownPlans) OF_JASON else emptySet()
-        val names = Names(others)
+        val names = SimilarNames(others)
         val indicators = handled.map { it.literal.indicator }.toSet()
         val arities = aritiesIn(handled)
         for (goal in scene.program.mentions[Role.POSTED]) {
@@ -56,11 +56,11 @@ internal object GoalRules : Rule {
         val arities = aritiesIn(posted)
         val names = posted.map { it.functor }.toSet() + USUAL + if (scene.facts.isOfJaCaMo) scene.project.operations else emptySet()
         val plans = scene.mentions(Role.HANDLED).groupingBy { it.functor }.eachCount()
-        val namesOfMore = HashMap<Int, Names>()
+        val namesOfMore = HashMap<Int, SimilarNames>()
         for (plan in scene.program.mentions[Role.HANDLED] + scene.program.mentions[Role.FAILURE_HANDLED]) {
             if (plan.literal.indicator in indicators || scene.isKnownElsewhere(plan)) continue
             val others = plans.getOrDefault(plan.functor, 0) - if (plan.role == Role.HANDLED) 1 else 0
-            val meant = namesOfMore.getOrPut(others) { Names(names + plans.filter { it.value > others }.keys) }.near(plan.functor)
+            val meant = namesOfMore.getOrPut(others) { SimilarNames(names + plans.filter { it.value > others }.keys) }.near(plan.functor)
             val postedWith = arities[plan.functor]
             val what = "nothing in the project posts the goal ${plan.literal.indicator}"
             val why = "this plan is never used, unless a message from elsewhere posts the goal"

@@ -41,7 +41,7 @@ internal object InternalActionRules : Rule {
 
     private fun unknown(call: Mention, report: Report) {
         if (ArgoActions.actionIn(call.functor) != null) return
-        val meant = Names.near(call.functor, InternalAction.ALL.keys.filter { it.startsWith(".") })
+        val meant = SimilarNames.near(call.functor, InternalAction.ALL.keys.filter { it.startsWith(".") })
         report.error(
             "internal-action", call.span, "there is no internal action ${call.functor}", "the plan fails there",
             meant?.let { "did you mean $it?" } ?: "a project's own actions have a package in front, as my.act",
@@ -53,7 +53,7 @@ internal object InternalActionRules : Rule {
         if (call.functor in scene.project.javaActions || ArgoActions.actionIn(call.functor) != null) return
         val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + InternalAction.FUNCTIONS +
             InternalAction.ALL.keys
-        val meant = Names.near(call.functor, others) ?: return
+        val meant = SimilarNames.near(call.functor, others) ?: return
         report.warning("internal-action", call.span, "there is no internal action ${call.functor} in the project", "the plan fails there",
             "did you mean $meant?")
     }
@@ -123,7 +123,7 @@ internal object InternalActionRules : Rule {
                 "correct the order of the arguments",
             )
         }
-        val meant = Names.near(written, PERFORMATIVES) ?: return
+        val meant = SimilarNames.near(written, PERFORMATIVES) ?: return
         report.warning(
             "performative", argument.span, "$written is no performative of Jason",
             "the receiver takes no notice, unless it has plans for it",
@@ -143,7 +143,7 @@ internal object InternalActionRules : Rule {
         val names = scene.project.masFiles.flatMap { mas -> mas.agents.flatMap { it.names + it.name.text } } + "self"
         if (receiver.arity > 0 || receiver.functor in names || receiver.functor in scene.project.foreignNames) return
         val what = "there is no agent ${receiver.functor}"
-        val remedy = Names.near(receiver.functor, names)?.let { "did you mean $it?" }
+        val remedy = SimilarNames.near(receiver.functor, names)?.let { "did you mean $it?" }
             ?: scene.facts.agentNames?.let { "there are ${it.joinToString()}" } ?: return
         report.warning("receiver", receiver.span, what, "the plan fails there", remedy)
     }

@@ -71,7 +71,7 @@ internal object ProjectFileRules {
                 "Jason reads the old one with a message", "infrastructure: Local")
             else -> report.warning("infrastructure", name.span, "neither Jason nor ARGO has an infrastructure ${name.text}",
                 "unless the project has a launcher for it, Jason runs all agents on one computer",
-                Names.near(name.text, INFRASTRUCTURES)?.let { "did you mean $it?" } ?: "there are ${INFRASTRUCTURES.joinToString()}")
+                SimilarNames.near(name.text, INFRASTRUCTURES)?.let { "did you mean $it?" } ?: "there are ${INFRASTRUCTURES.joinToString()}")
         }
     }
 
@@ -111,7 +111,7 @@ internal object ProjectFileRules {
         val name = option.name.text
         if (!name.startsWith("argo_")) return
         val known = KnownOption.OF_ARCH[name]
-        val meant = Names.near(name, KnownOption.OF_ARCH.keys)
+        val meant = SimilarNames.near(name, KnownOption.OF_ARCH.keys)
         val value = option.value?.text?.trim('"')
         when {
             known == null && meant == null -> report.hint(

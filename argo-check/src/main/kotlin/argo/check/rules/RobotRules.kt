@@ -40,7 +40,7 @@ internal object RobotRules : Rule {
 
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.functor }.toSet()
-        val names = Names(kinds + own)
+        val names = SimilarNames(kinds + own)
         for (read in listOf(Role.EVENT, Role.READ).flatMap { scene.program.mentions[it] }) {
             if (read.functor in kinds || read.functor in own || read.functor in tests || scene.isKnownElsewhere(read) ||
                 names.near(read.functor) != null) continue
@@ -130,7 +130,7 @@ internal object RobotRules : Rule {
         if (actions.any { isFor(it, text) }) return
         val name = text.substringBefore('(')
         val same = actions.filter { it.name == name }
-        val meant = Names.near(name, actions.map { it.name }.distinct())
+        val meant = SimilarNames.near(name, actions.map { it.name }.distinct())
         val remedy = when {
             same.isNotEmpty() -> "there is ${same.joinToString()}"
             meant != null -> "did you mean $meant?"

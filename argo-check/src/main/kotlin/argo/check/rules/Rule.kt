@@ -25,7 +25,7 @@ internal class Report(private val place: (Span) -> Place) {
 
     /** Warns of [mentions] with an unknown functor that resembles one of [known]. */
     fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
-        val names = Names(known)
+        val names = SimilarNames(known)
         for (mention in mentions) {
             if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
             val meant = names.near(mention.functor) ?: continue

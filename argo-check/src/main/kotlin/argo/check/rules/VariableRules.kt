@@ -18,7 +18,7 @@ internal object VariableRules : Rule {
         val variables = scope.withDescendants().filterIsInstance<Variable>().toList()
         val often = variables.groupingBy { it.name.text }.eachCount()
         val unbound = unboundInputs(scope, variables)
-        val names by lazy { Names(often.keys.filter { it.length >= LONG && it[0] != '_' }) }
+        val names by lazy { SimilarNames(often.keys.filter { it.length >= LONG && it[0] != '_' }) }
         for (variable in variables) {
             val name = variable.name.text
             val isOnce = often.getValue(name) == 1 && !name.startsWith("_")

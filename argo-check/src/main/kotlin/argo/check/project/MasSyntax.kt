@@ -5,10 +5,10 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
 /**
- * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file, whose end is
+ * Reads the syntax of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file, whose end is
  * marked by the token [end].
  */
-internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
+internal class MasSyntax(private val tokens: List<Token>, private val end: Token) {
     private var at = 0
     private var error: SyntaxError? = null
 

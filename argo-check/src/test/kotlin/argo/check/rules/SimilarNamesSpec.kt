@@ -9,13 +9,13 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
-class NamesSpec : FunSpec({
+class SimilarNamesSpec : FunSpec({
     val name = Arb.list(Arb.element("a", "b", "A", "1", "_"), 1..14).map { it.joinToString("") }
 
     test("the name that is meant is that of the smallest distance among all that are near") {
         checkAll(Arb.list(name, 0..40), name) { names, written ->
-            val near = names.filter { Names(listOf(it)).near(written) != null }
-            Names(names).near(written) shouldBe near.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
+            val near = names.filter { SimilarNames(listOf(it)).near(written) != null }
+            SimilarNames(names).near(written) shouldBe near.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
         }
     }
 
@@ -27,20 +27,20 @@ class NamesSpec : FunSpec({
             { text, at -> text.substring(0, at) + text[at + 1] + text[at] + text.substring(at + 2) },
         )
         checkAll(Arb.element(slips), Arb.int(1..5)) { slip, at ->
-            Names(listOf("distance")).near(slip("distance", at)) shouldBe "distance"
+            SimilarNames(listOf("distance")).near(slip("distance", at)) shouldBe "distance"
         }
-        Names(listOf("distanceleft")).near("distnaceletf") shouldBe "distanceleft"
-        Names(listOf("distanceleft")).near("ditanceleftt") shouldBe "distanceleft"
+        SimilarNames(listOf("distanceleft")).near("distnaceletf") shouldBe "distanceleft"
+        SimilarNames(listOf("distanceleft")).near("ditanceleftt") shouldBe "distanceleft"
     }
 
     test("another first letter, and one more or less there, make another word, but a swap with the second is a slip") {
-        val names = Names(listOf("inner", "size", "kick", "dist"))
+        val names = SimilarNames(listOf("inner", "size", "kick", "dist"))
         listOf("winner", "gsize", "pick").map(names::near) shouldBe listOf(null, null, null)
         names.near("idst") shouldBe "dist"
-        Names(listOf(".count")).near("count") shouldBe ".count"
+        SimilarNames(listOf(".count")).near("count") shouldBe ".count"
     }
 
     test("a digit, and a part of one letter, tell things apart that are meant to be two") {
-        Names(listOf("pos1", "OldX")).run { near("pos2") ?: near("OldY") } shouldBe null
+        SimilarNames(listOf("pos1", "OldX")).run { near("pos2") ?: near("OldY") } shouldBe null
     }
 })

@@ -1,7 +1,7 @@
 package argo.check.rules
 
 /** Finds the one of [names] that a person may have meant. Make one instance for many questions, since it builds an index. */
-internal class Names(names: Collection<String>) {
+internal class SimilarNames(names: Collection<String>) {
     /** The names by each of their parts. A slip leaves at least one part unchanged, and moves it by at most one letter. */
     private val byPart: Map<Part, List<Name>> by lazy {
         names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
@@ -48,7 +48,7 @@ internal class Names(names: Collection<String>) {
     }
 
     companion object {
-        fun near(written: String, names: Collection<String>): String? = Names(names).near(written)
+        fun near(written: String, names: Collection<String>): String? = SimilarNames(names).near(written)
     }
 }
 

@@ -79,7 +79,7 @@ internal object Options {
         when {
             known == null -> report.error(
                 "option", option.span, "$name is no option of $owner", "the plan fails there",
-                Names.near(name, names)?.let { "did you mean $it?" } ?: "there are ${names.joinToString()}",
+                SimilarNames.near(name, names)?.let { "did you mean $it?" } ?: "there are ${names.joinToString()}",
             )
             known.expected == null -> if (option.arity > 0) {
                 report.error("option", option.span, "$name of $owner has no value, and here it is ${value ?: "several"}",

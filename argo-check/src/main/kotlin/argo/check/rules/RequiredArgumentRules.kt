@@ -6,8 +6,8 @@ import argo.check.syntax.Component
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Finds variables without a value in arguments of goals or rules that need a value: see [Inputs]. */
-internal object InputRules : Rule {
+/** Finds variables without a value in arguments of goals or rules that need a value: see [RequiredArguments]. */
+internal object RequiredArgumentRules : Rule {
     override fun check(scene: Scene, report: Report) {
         scene.program.program.components.flatMap(::clauses).forEach { clause(it, scene, report) }
     }
@@ -17,7 +17,7 @@ internal object InputRules : Rule {
         val areGoalsKnown = !scene.hasUnknownPlans && !scene.isOpen(Role.HANDLED)
         for (use in scene.program.mentions.within(clause.span)) {
             if (use.role == Role.POSTED && !areGoalsKnown) continue
-            for (index in scene.facts.inputs.of(use)) {
+            for (index in scene.facts.requiredArguments.of(use)) {
                 val argument = use.literal.arguments[index]
                 if (argument is Variable && argument in first && !argument.name.text.startsWith("_")) tell(use, index, argument, report)
             }

@@ -11,7 +11,7 @@ import jason.mas2j.parser.TokenMgrError
 import jason.mas2j.parser.mas2j
 import java.io.StringReader
 
-class MasFrameSpec : FunSpec({
+class MasSyntaxSpec : FunSpec({
     val root = tempdir().toPath()
     fun found(text: String) =
         findingsIn(root, "m.mas2j" to text, "a.asl" to "", "b.asl" to "").filter { it.rule == "syntax" }.map { it.inShort }

@@ -20,7 +20,7 @@ import argo.check.syntax.withDescendants
  * @param clauses the plans, beliefs and rules of a project
  * @param believed for each indicator of a literal, the number of its additions, tells and rule heads
  */
-internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
+internal class RequiredArguments(clauses: List<Node>, believed: Map<String, Int>) {
     private val ofGoals = common(
         clauses.filterIsInstance<Plan>().filter { it.trigger.kind == EventKind.ACHIEVE && it.trigger.operator == "+" }
             .mapNotNull { plan -> (plan.trigger.term as? Literal)?.let { it to plan.context } },
