@@ -8,7 +8,7 @@ import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
 import argo.fleet.node.Kill
 import argo.fleet.node.LeasedAgents
-import argo.fleet.node.Leases
+import argo.fleet.node.Takeover
 import argo.fleet.node.LocalAgents
 import argo.fleet.node.MindNews
 import argo.fleet.node.Reign
@@ -41,7 +41,7 @@ internal class FleetMas :
     LocalAgents,
     LeasedAgents {
     private lateinit var placed: List<PlacedAgent>
-    private lateinit var leases: Leases
+    private lateinit var takeover: Takeover
     private lateinit var fleet: Fleet
     private lateinit var services: FleetServices
     private lateinit var facilitator: DirectoryFacilitator
@@ -49,7 +49,7 @@ internal class FleetMas :
     private val log = Logger.getLogger(LOG)
 
     /**
-     * This thread starts and stops agents that outlive their computers: the leases must not wait while an agent's program is read. It does
+     * This thread starts and stops agents that outlive their computers: the takeover must not wait while an agent's program is read. It does
      * one start or stop at a time, so that no agent is created twice. Now and then it also compares rosters.
      */
     private val starter = Executors.newSingleThreadScheduledExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
@@ -97,14 +97,14 @@ internal class FleetMas :
         placed = agents
         facilitator = DirectoryFacilitator(fleet) { getAg(it.receiver)?.receiveMsg(it) }
         services = FleetServices(this, fleet, facilitator, log)
-        leases = Leases(fleet, agents.filter { it.isMovable }.associate { it.name to it.computers }, hosts, this, log)
+        takeover = Takeover(fleet, agents.filter { it.isMovable }.associate { it.name to it.computers }, hosts, this, log)
         RuntimeServicesFactory.set(services)
         agents.filter { fleet.here in it.computers }.forEach(::tellWithoutEffect)
         create()
-        fleet.join(this, leases)
+        fleet.join(this, takeover)
         fleet.awaitOthers(MEETING_MS) // so that no first message finds its receiver's computer unknown
         start()
-        leases.begin()
+        takeover.begin()
         comparing = starter.scheduleWithFixedDelay(::compare, COMPARING_S, COMPARING_S, TimeUnit.SECONDS)
     }
 
@@ -142,14 +142,14 @@ internal class FleetMas :
     override fun start(agent: String, reign: Reign, mind: MindNews?) = starter.execute {
         try {
             val program = placed.first { it.name == agent }
-            begin(create(program) { FleetAgArch(fleet, reign, mind, leases::keep) { endReign(agent, reign, it) } }, reign, mind)
+            begin(create(program) { FleetAgArch(fleet, reign, mind, takeover::keep) { endReign(agent, reign, it) } }, reign, mind)
         } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // the machine may have no thread left
             endReign(agent, reign, failed)
         }
     }
 
     private fun endReign(agent: String, reign: Reign, failure: Throwable) {
-        leases.cannotRun(agent, reign, failure)
+        takeover.cannotRun(agent, reign, failure)
         stop(agent)
     }
 
@@ -160,7 +160,7 @@ internal class FleetMas :
             log.info("$agent runs on ${fleet.here} now" + if (mind == null) "" else ", with what it believed")
         } else {
             stop(created)
-            leases.giveUp(agent, reign) // otherwise new grants could make the reign valid again, with no agent running
+            takeover.giveUp(agent, reign) // otherwise new grants could make the reign valid again, with no agent running
         }
     }
 
@@ -214,7 +214,7 @@ internal class FleetMas :
 
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
         comparing?.cancel(false)
-        if (::leases.isInitialized) leases.close()
+        if (::takeover.isInitialized) takeover.close()
         super.finish(deadline, stopJVM, exitValue)
     }
 

@@ -51,7 +51,7 @@ internal class Fleet(
     val views: Map<String, Int> = emptyMap(),
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
-    private lateinit var leases: Leases
+    private lateinit var takeover: Takeover
     private val movable = planned.filterValues { it.size > 1 }.keys // the agents that outlive their computers
     private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
     private var differing = emptyMap<String, Int>() // the digests in the last [Known] that differ here; for the cluster's thread
@@ -65,10 +65,10 @@ internal class Fleet(
 
     val here: String get() = cluster.here
 
-    /** Joins the fleet. From now on, the fleet calls [agents] and [leases]. */
-    fun join(agents: LocalAgents, leases: Leases) {
+    /** Joins the fleet. From now on, the fleet calls [agents] and [takeover]. */
+    fun join(agents: LocalAgents, takeover: Takeover) {
         this.agents = agents
-        this.leases = leases
+        this.takeover = takeover
         cluster.listen(Listener())
     }
 
@@ -180,12 +180,12 @@ internal class Fleet(
                 is Known -> take(from, read)
                 is Kill -> agents.kill(read)
                 is Stop -> agents.stop(read)
-                is Claim, is Grant, is MindNews -> leases.take(from, read)
+                is Claim, is Grant, is MindNews -> takeover.take(from, read)
             }
         }
 
         private fun take(from: String, message: Say) {
-            if (leases.isOutdated(message)) throw Refused("moved", "${message.from} runs on another computer now")
+            if (takeover.isOutdated(message)) throw Refused("moved", "${message.from} runs on another computer now")
             if (message.from !in directory.roster(from).agents) {
                 once("a message of ${message.from} is refused: it comes from $from, which has no such agent")
                 throw Refused("not_sender", "$from has no agent ${message.from}")
@@ -224,7 +224,7 @@ internal class Fleet(
                 noteMet()
                 come.forEach { tellAll(it.name, asksBack = it in begun) } // that computer may not know that its roster is missing here
             }
-            leases.changed(view)
+            takeover.changed(view)
         }
 
         override fun refused(reason: String) = agents.refused(reason)

@@ -133,7 +133,7 @@ private class World(private val computers: Int, private val random: Random) {
         isCut[computer] = false
     }
 
-    /** Has the computer [from] claim as [Leases] do; returns whether it has the right at last. */
+    /** Has the computer [from] claim as [Takeover] does; returns whether it has the right at last. */
     fun isGranted(from: Int): Boolean = (1..40).any {
         claim(from)
         advance(300 * MS)

@@ -26,7 +26,7 @@ private class Forgetful(private val cluster: Cluster, private val isLosing: () -
 /** Computers of a fleet in memory, in virtual time; what they do and what happens to them depends on [random] only. */
 private class Computers(private val names: List<String>, private val random: Random) : AutoCloseable {
     private val network = InMemoryNetwork(names.toSet())
-    private val running = HashMap<String, Pair<Fleet, Leases>>()
+    private val running = HashMap<String, Pair<Fleet, Takeover>>()
     private var isQuiet = false
     private var agents = 0
 
@@ -37,10 +37,10 @@ private class Computers(private val names: List<String>, private val random: Ran
     private fun start(name: String) {
         val cluster = Forgetful(network.join(name)) { !isQuiet && random.nextInt(4) == 0 }
         val fleet = Fleet(cluster, emptyMap(), emptyMap(), LOG)
-        val leases = Leases(fleet, emptyMap(), names.size, NoAgents, LOG)
+        val takeover = Takeover(fleet, emptyMap(), names.size, NoAgents, LOG)
         fleet.came("of_$name")
-        fleet.join(Nobody, leases)
-        running[name] = fleet to leases
+        fleet.join(Nobody, takeover)
+        running[name] = fleet to takeover
     }
 
     fun disturb() {
@@ -77,7 +77,7 @@ private class Computers(private val names: List<String>, private val random: Ran
     fun theirOwn(): Map<String, String> =
         running.flatMap { (name, computer) -> computer.first.directory.roster(name).agents.map { it to name } }.toMap()
 
-    override fun close() = running.values.forEach { (_, leases) -> leases.close() }
+    override fun close() = running.values.forEach { (_, takeover) -> takeover.close() }
 
     private object NoAgents : LeasedAgents {
         override fun start(agent: String, reign: Reign, mind: MindNews?) = Unit

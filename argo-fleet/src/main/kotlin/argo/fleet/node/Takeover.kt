@@ -12,11 +12,11 @@ import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.random.Random
 
-/** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
+/** Starts and stops agents that outlive their computers. One thread of [Takeover] calls these functions. */
 internal interface LeasedAgents {
     /**
      * Starts [agent] with [mind] after this call returns; null: the agent's mind is not known, or this is its first start. If the start
-     * or the agent's thread fails, calls [Leases.cannotRun]. If [reign] has ended before the start, calls [Leases.giveUp].
+     * or the agent's thread fails, calls [Takeover.cannotRun]. If [reign] has ended before the start, calls [Takeover.giveUp].
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
 
@@ -38,7 +38,7 @@ internal class Reign(private val lease: Lease, val term: Long) {
  * @param hosts the number of computers of the fleet
  * @param nanos a clock in ns that never goes back
  */
-internal class Leases(
+internal class Takeover(
     private val fleet: Fleet,
     planned: Map<String, List<String>>,
     hosts: Int,
@@ -53,7 +53,7 @@ internal class Leases(
     // pairs of a computer and an agent whose mind the computer lacks
     private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>()
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
-        Thread(work, "argo-fleet-leases").apply { isDaemon = true }
+        Thread(work, "argo-fleet-takeover").apply { isDaemon = true }
     }
 
     @Volatile

@@ -8,13 +8,13 @@ import argo.fleet.node.FleetMessage
 import argo.fleet.node.Grant
 import argo.fleet.node.Kill
 import argo.fleet.node.LeasedAgents
-import argo.fleet.node.Leases
 import argo.fleet.node.LocalAgents
 import argo.fleet.node.MindNews
 import argo.fleet.node.Reign
 import argo.fleet.node.RosterNews
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.fleet.node.Takeover
 import argo.fleet.node.Unanswered
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
@@ -38,7 +38,7 @@ import kotlin.time.Duration.Companion.seconds
 
 /** An agent that outlives its computer, on one of three computers in real time. The test plays the other two. */
 @Tags("Thorough")
-class LeasesSpec : FunSpec({
+class TakeoverSpec : FunSpec({
     test("a computer that is granted an agent gets to know the agent's mind first, if it does not know it") {
         OneComputer("m at \"scout1, base\";", "m" to "").use { base ->
             val sent = CopyOnWriteArrayList<FleetMessage>()
@@ -126,25 +126,25 @@ class LeasesSpec : FunSpec({
         val cluster = FakeCluster("base")
         val fleet = Fleet(cluster, mapOf("m" to listOf("base", "scout1")), emptyMap(), Logger.getLogger("argo.test.retry"))
         val told = CopyOnWriteArrayList<String>()
-        val log = Logger.getLogger("argo.test.leases").apply { setFilter { told.add(it.message) && false } }
+        val log = Logger.getLogger("argo.test.takeover").apply { setFilter { told.add(it.message) && false } }
         val starts = AtomicInteger()
-        lateinit var leases: Leases
+        lateinit var takeover: Takeover
         val agents = object : LeasedAgents {
             override fun start(agent: String, reign: Reign, mind: MindNews?) {
-                if (starts.incrementAndGet() < 3) leases.cannotRun(agent, reign, IOException("there is no m.asl"))
+                if (starts.incrementAndGet() < 3) takeover.cannotRun(agent, reign, IOException("there is no m.asl"))
             }
 
             override fun stop(agent: String) = Unit
         }
-        leases = Leases(fleet, mapOf("m" to listOf("base", "scout1")), 3, agents, log, now::get)
-        leases.use {
-            fleet.join(Nobody, leases)
+        takeover = Takeover(fleet, mapOf("m" to listOf("base", "scout1")), 3, agents, log, now::get)
+        takeover.use {
+            fleet.join(Nobody, takeover)
             cluster.answer = { one ->
                 one.end.complete(null)
                 (one.message as? Claim)?.let { cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
             }
             cluster.view("scout1" to "1", "scout2" to "1")
-            leases.begin()
+            takeover.begin()
             eventually(60.seconds) {
                 now.addAndGet(1_000_000_000)
                 starts.get() shouldBe 3
@@ -180,7 +180,7 @@ class LeasesSpec : FunSpec({
                     val age = (System.nanoTime() - granted) / 1_000_000
                     if (!LateAgent.isHeld()) granted = System.nanoTime()
                     else if (age < 1100) return@let
-                    else { // the leases' thread waits here, so they do not notice that the right ends
+                    else { // the takeover's thread waits here, so it does not notice that the right ends
                         Thread.sleep(maxOf(0, 1450 - age))
                         LateAgent.release()
                         isGone.await(60, TimeUnit.SECONDS)
