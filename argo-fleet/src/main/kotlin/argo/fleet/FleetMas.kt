@@ -8,12 +8,12 @@ import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
 import argo.fleet.node.Kill
 import argo.fleet.node.LeasedAgents
-import argo.fleet.node.Takeover
 import argo.fleet.node.LocalAgents
 import argo.fleet.node.MindNews
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.fleet.node.Takeover
 import argo.fleet.node.Unanswered
 import argo.recording.agent.AwaitedOutside
 import jason.infra.local.LocalAgArch
@@ -49,8 +49,8 @@ internal class FleetMas :
     private val log = Logger.getLogger(LOG)
 
     /**
-     * This thread starts and stops agents that outlive their computers: the takeover must not wait while an agent's program is read. It does
-     * one start or stop at a time, so that no agent is created twice. Now and then it also compares rosters.
+     * This thread starts and stops agents that outlive their computers: the takeover must not wait while an agent's program is read. It
+     * does one start or stop at a time, so that no agent is created twice. Now and then it also compares rosters.
      */
     private val starter = Executors.newSingleThreadScheduledExecutor { Thread(it, "argo-fleet-start").apply { isDaemon = true } }
 
@@ -135,7 +135,7 @@ internal class FleetMas :
     }
 
     private fun tellWithoutEffect(agent: PlacedAgent) {
-        val odd = agent.parameters.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
+        val odd = agent.optionsWithoutEffect
         if (odd.isNotEmpty()) log.warning("${agent.name}: ${odd.joinToString()} has no effect in a fleet")
     }
 
@@ -231,6 +231,5 @@ internal class FleetMas :
         private const val FAILED = 1
         private const val MEETING_MS = 1000L
         private const val COMPARING_S = 15L
-        private val OPTIONS_OF_POOLS = setOf("rc", "cycles", "cycles_sense", "cycles_deliberate", "cycles_act")
     }
 }

@@ -23,6 +23,13 @@ internal class FleetProjectException(override val message: String) : Exception(m
 internal class PlacedAgent(val name: String, val parameters: AgentParameters, val computers: List<String>) {
     /** Whether the agent outlives its computer. */
     val isMovable: Boolean get() = computers.size > 1
+
+    /** The agent's options for Jason's pools of threads, which a fleet does not have. */
+    val optionsWithoutEffect: Set<String> get() = parameters.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
+
+    private companion object {
+        val OPTIONS_OF_POOLS = setOf("rc", "cycles", "cycles_sense", "cycles_deliberate", "cycles_act")
+    }
 }
 
 /**
