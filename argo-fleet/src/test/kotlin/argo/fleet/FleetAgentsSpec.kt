@@ -213,6 +213,31 @@ class FleetAgentsSpec : FunSpec({
             }
         }
 
+        test("keeps equal variables equal and others apart, whatever numbers Jason has counted on the other computer") {
+            computer("+!kqml_received(_,tell,p(N,A,B,C),_) <- A = 1; B = 2; +got(N,A,B,C).") {
+                for ((number, variables) in listOf("_99999999,_99999998,_99999999", "_1,_2,_1", "_3,_2,_3", "X,_7,X").withIndex()) {
+                    cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p($number,$variables)"))
+                    shouldBelieve("a", "got($number,1,2,1)[source(self)]")
+                }
+            }
+        }
+
+        test("brings a plan whose label, which Jason has made, another plan here has; the program's own labels stay") {
+            computer("+!go <- +done. +!mine <- +mine.") {
+                shouldBelieve("a", "done[source(self)]")
+                fun plan(label: String, goal: String) = "#plan(0,\"\",#none,#pred($label),#event(0,add,achieve,#none,$goal),#none,#none," +
+                    "#body(0,addBel,#none,$goal))"
+                val labels = planLabels("a")
+                val taken = labels.first { it.matches(Regex("[lp]__[0-9]+")) }
+                cluster.receives("scout1", Say("mid2", null, "tellHow", "b", "a", "[${plan(taken, "one")},${plan("two_label", "two")}]"))
+                eventually(60.seconds) { planLabels("a") shouldContain "two_label" }
+                cluster.receives("scout1", Say("mid3", null, "achieve", "b", "a", "one"))
+                cluster.receives("scout1", Say("mid4", null, "achieve", "b", "a", "two"))
+                shouldBelieve("a", "one[source(self)]", "two[source(self)]")
+                planLabels("a").toSet().size shouldBe labels.size + 2
+            }
+        }
+
         test("whose answer does not arrive is told in the log, since Jason's own plans send it, and to the asker") {
             val told = CopyOnWriteArrayList<FleetMessage>()
             computer("p(7). +!make <- .queue.create(Q); +object(Q).", also = {

@@ -63,6 +63,8 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
 
     fun believed(agent: String): List<String> = mas.getAg(agent)?.ts?.ag?.bb?.map { "$it" }.orEmpty()
 
+    fun planLabels(agent: String): List<String> = Plans.of(mas.getAg(agent).ts.ag).all.map { it.label.functor }
+
     fun longestSleepMs(agent: String): Long = (mas.getAg(agent) as FleetAgArch).longestSleepMs
 
     fun observed(agent: String): List<ObservedComputer> = (mas.getAg(agent).firstAgArch as Arch).observed.computers

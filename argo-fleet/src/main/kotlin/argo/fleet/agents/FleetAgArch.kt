@@ -147,13 +147,12 @@ internal class FleetAgArch(
     /** Takes [message] from an agent of another computer. Any thread. @throws Refused if its content cannot be read */
     fun take(message: Say) {
         val content = try {
-            MessageContent.read(message.content, ts.ag)
+            readForeign(message.content, ts.ag)
         } catch (unreadable: IllegalArgumentException) {
             refuse(message, "${unreadable.message}")
         } catch (_: StackOverflowError) {
             refuse(message, "it is nested too deep")
         }
-        if (content is Literal && !content.isGround) content.makeVarsAnnon() // the names of variables belong to the sender
         receiveMsg(
             Message(message.force, message.from, message.to, content, message.id).apply { inReplyTo = message.inReplyTo },
         )

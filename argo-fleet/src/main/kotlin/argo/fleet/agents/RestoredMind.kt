@@ -3,7 +3,6 @@ package argo.fleet.agents
 import argo.mind.Mind
 import argo.mind.beginAnew
 import argo.mind.replaceMind
-import argo.recording.agent.MessageContent
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 import java.util.logging.Logger
@@ -16,8 +15,8 @@ import java.util.logging.Logger
  */
 internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
     val mind = Mind.ofProgram(program)
-    val beliefs = mind.beliefs.map { MessageContent.read(it, ts.ag) as Literal }
-    val events = mind.events.map { it to MessageContent.read(it.drop(1), ts.ag) as Literal }
+    val beliefs = mind.beliefs.map { readForeign(it, ts.ag) as Literal }
+    val events = mind.events.map { it to readForeign(it.drop(1), ts.ag) as Literal }
     replaceMind(ts, beliefs, log::warning)
     events.forEach { (event, literal) -> beginAnew(ts, event, literal) }
 }
