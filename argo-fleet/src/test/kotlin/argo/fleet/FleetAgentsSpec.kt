@@ -191,6 +191,22 @@ class FleetAgentsSpec : FunSpec({
             }
         }
 
+        test("fails for good behind one that could not be asked: its late answer ends nothing") {
+            val asking = "+!go <- !!stay; !ask(nobody); !ask(b). +!ask(To) <- .send(To, askOne, p(X), A); +got(A). " +
+                "-!ask(To)[error(E)] <- +failed(To,E). +!stay <- .wait({+told}); +stayed."
+            computer(asking) {
+                val sent = cluster.next()
+                sent.end.complete(null)
+                cluster.view()
+                shouldBelieve("a", "failed(nobody,no_agent)[source(self)]", "failed(b,unreachable)[source(self)]")
+                cluster.view("scout1" to "1")
+                cluster.receives("scout1", Say("mid9", (sent.message as Say).id, "tell", "b", "a", "p(7)"))
+                cluster.receives("scout1", Say("mid10", null, "tell", "b", "a", "told"))
+                shouldBelieve("a", "stayed[source(self)]")
+                believed("a").filter { it.startsWith("got") } shouldBe emptyList()
+            }
+        }
+
         test("fails once if there is no such agent, and nothing is left that waits") {
             computer("+!go <- .send(nobody, askOne, p(X), A); +got(A). -!go[error(E)] <- ?n(N); -+n(N+1); +failed(E). n(0).") {
                 shouldBelieve("a", "failed(no_agent)[source(self)]", "n(1)[source(self)]")

@@ -90,10 +90,13 @@ internal class DeliveryWait(private val questions: Questions) {
         }
     }
 
-    /** Ends the suspension if sending failed. Jason suspends an intention before it sends a question, and no answer will come. */
-    private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
-        it.tellFailure()
-        ts.c.removePendingIntention(it.id ?: return@forEach)
+    /**
+     * Undoes the suspension of the intention if sending failed: Jason suspends it before it sends a question, and no answer will come. With
+     * a second suspension of one intention, a failure would end the wrong one, and an answer that comes later would end the agent's cycle.
+     */
+    private fun forget(ts: TransitionSystem, sent: List<Delivery>) {
+        sent.forEach(Delivery::tellFailure)
+        ts.c.pendingIntentions.filterValues { it === ts.c.selectedIntention }.keys.forEach(ts.c::removePendingIntention)
     }
 }
 
