@@ -15,6 +15,7 @@ import argo.fleet.node.Say
 import argo.fleet.node.Stop
 import argo.fleet.node.Takeover
 import argo.fleet.node.Unanswered
+import argo.insides.Insides
 import argo.recording.agent.AwaitedOutside
 import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
@@ -56,7 +57,14 @@ internal class FleetMas :
 
     init {
         starter.execute {} // creates the thread now, since the machine may have none left later
+        numberMessages()
     }
+
+    /**
+     * Has Jason number this program's messages from a random number. Otherwise an agent that begins again soon would ask with the numbers
+     * of its last run, and take a late answer to an old question for that to a new one.
+     */
+    private fun numberMessages() = Insides.messageCounter.let { if (it.isThere) it[null].set(Random.nextInt(MOST_NUMBERS_LEFT_OUT)) }
 
     /**
      * Reads the project in [file].
@@ -231,5 +239,8 @@ internal class FleetMas :
         private const val FAILED = 1
         private const val MEETING_MS = 1000L
         private const val COMPARING_S = 15L
+
+        /** Half of the numbers, so that the others last for the messages of a run. */
+        private const val MOST_NUMBERS_LEFT_OUT = 1 shl 30
     }
 }

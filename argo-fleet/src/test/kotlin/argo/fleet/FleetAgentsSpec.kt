@@ -18,11 +18,15 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.asSemantics.Message
 import jason.infra.local.LocalAgArch
 import java.util.concurrent.CopyOnWriteArrayList
+import kotlin.math.abs
 import kotlin.time.Duration.Companion.seconds
 
 /** Agents of one computer of a fleet. The test plays the other computers. */
@@ -179,6 +183,11 @@ class FleetAgentsSpec : FunSpec({
                 shouldLog("a question gets no answer: b has answered in vain: it is too long")
                 cluster.receives("scout1", Unanswered("mid8", "nobody", "overloaded", "b has answered in vain"))
             }
+        }
+
+        test("has another number than those of the program's last run, whose answers may still come") {
+            val numbers = List(2) { OneComputer("a at \"base\";", "a" to "").use { Message("tell", "a", "b", "x").msgId } }
+            numbers.map { it.removePrefix("mid").toInt() }.let { (first, second) -> abs(first - second) shouldBeGreaterThan 1000 }
         }
 
         test("whose time is over ends with that, and no failure of its computer fails it any more") {

@@ -194,7 +194,10 @@ class LayersSpec : FunSpec({
         test("know of the rest what a mind is, how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
                 .dependOnClassesThat(
-                    productBut("argo.fleet..", "argo.mind", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                    productBut(
+                        "argo.fleet..", "argo.insides", "argo.mind", "argo.observing", "argo.platform", "argo.recording.agent",
+                        "argo.tools.command", "javino.tcp",
+                    ),
                 ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {
