@@ -101,6 +101,17 @@ class FleetAgentsSpec : FunSpec({
             }
         }
 
+        test("of megabytes that cannot go is shown in the error by its beginning") {
+            val program = "+!go <- !tell(\"${"x".repeat(100_000)}\"). +!tell(X) <- .send(nobody, tell, p(X)). " +
+                "-!tell(_)[error_msg(M)] <- .length(M,L); +length(L)."
+            computer(program) {
+                eventually(60.seconds) {
+                    val length = believed("a").single { it.startsWith("length") }
+                    length.removePrefix("length(").substringBefore(")").toInt() shouldBeLessThan 700
+                }
+            }
+        }
+
         test("to several agents waits for all of them, and does not hold up other intentions") {
             computer("+!go <- .send([b,b], tell, x); +done. +!other <- +meanwhile.") {
                 val (first, second) = cluster.next() to cluster.next()

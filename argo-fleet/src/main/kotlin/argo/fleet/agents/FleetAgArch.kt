@@ -92,7 +92,8 @@ internal class FleetAgArch(
             Place.Here -> super.sendMsg(message)
             is Place.There -> send(message, place.computer)
             is Place.Off -> throw errorOf(unreachable(message.receiver, place, directory))
-            Place.Unknown -> if (isRunning) throw noAgent("there is no agent ${message.receiver} in the fleet; the message is $message")
+            Place.Unknown ->
+                if (isRunning) throw noAgent("there is no agent ${message.receiver} in the fleet; the message is ${shown(message)}")
         }
     }
 
@@ -100,7 +101,7 @@ internal class FleetAgArch(
         val content = try {
             MessageContent.write(message.propCont)
         } catch (refused: IllegalArgumentException) {
-            val reason = Refused("not_sendable", "$message cannot go to another computer: ${refused.message}")
+            val reason = Refused("not_sendable", "${shown(message)} cannot go to another computer: ${refused.message}")
             tellUnanswered(message, computer, reason)
             throw errorOf(reason)
         }
@@ -252,6 +253,8 @@ internal class FleetAgArch(
         woken.signalAll()
     }
 
+    private fun shown(message: Message) = "$message".let { if (it.length > MAX_REASON) "${it.take(MAX_REASON)}…" else it }
+
     private fun held() = errorOf(Unreachable("$agName does not run here now: most computers of the fleet are out of touch"))
 
     private companion object {
@@ -261,7 +264,7 @@ internal class FleetAgArch(
         const val SHORT_SLEEP_MS = 1000L
         const val LONG_SLEEP_MS = 30_000L
 
-        /** The length limit for the reason why a question gets no answer. A reason may contain the answer. */
+        /** The most characters of a message, or of the reason why a question gets no answer, in an error: contents may be megabytes. */
         const val MAX_REASON = 500
     }
 }

@@ -276,7 +276,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             "pred" -> literalHere().let { Pred(it.ns, it.functor).with(it.terms).annotatedBy(it.annots) }.also { expect(")") }
             "string" -> StringTermImpl(quoted()).also { expect(")") }
             "set" -> SetTermImpl().apply { items(")").forEach(::add) }
-            "map" -> MapTermImpl().apply { items(")").chunked(2).forEach { (key, value) -> put(key, value) } }
+            "map" -> MapTermImpl().apply { items(")").chunked(2).forEach { if (it.size == 2) put(it[0], it[1]) else fail() } }
             "fun" -> function()
             "plan" -> plan().also { expect(")") }
             "rule" -> rule().also { expect(")") }

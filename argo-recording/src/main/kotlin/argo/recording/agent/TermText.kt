@@ -28,8 +28,13 @@ internal fun contentText(content: Any?): String = when (content) {
 }
 
 /** Returns the content that [contentText] wrote as [text]. Throws like [termOf]. */
-internal fun contentOf(text: String, agent: Agent): Any =
-    if (text.startsWith(TEXT)) TermReader(text.substring(TEXT.length, text.length - 1)).quotedText() else termOf(text, agent)
+internal fun contentOf(text: String, agent: Agent): Any = try {
+    if (text.startsWith(TEXT)) TermReader(text.drop(TEXT.length).dropLast(1)).quotedText() else termOf(text, agent)
+} catch (_: TermReader.Unreadable) {
+    throw unreadable(text, null)
+} catch (@Suppress("TooGenericExceptionCaught") broken: RuntimeException) { // of Jason's own parser and terms, for some texts
+    throw broken as? IllegalArgumentException ?: unreadable(text, broken)
+}
 
 private const val TEXT = "#text("
 
@@ -74,8 +79,14 @@ private fun perceptOf(text: String): Literal? = try {
 
 private fun <T> parsed(text: String, parse: (String) -> T): T = try {
     parse(text)
-} catch (unreadable: ParseException) {
-    throw IllegalArgumentException("Jason cannot read \"$text\"", unreadable)
-} catch (unreadable: TokenMgrError) {
-    throw IllegalArgumentException("Jason cannot read \"$text\"", unreadable)
+} catch (reason: ParseException) {
+    throw unreadable(text, reason)
+} catch (reason: TokenMgrError) {
+    throw unreadable(text, reason)
 }
+
+/** Shows only the beginning of [text], since a text from another computer may have millions of characters. */
+private fun unreadable(text: String, reason: Throwable?) =
+    IllegalArgumentException("Jason cannot read \"${if (text.length > SHOWN) text.take(SHOWN) + "…" else text}\"", reason)
+
+private const val SHOWN = 200

@@ -1,11 +1,15 @@
 package argo.recording.agent
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
@@ -121,5 +125,20 @@ class TermTextSpec : FunSpec({
         val agent = jason.asSemantics.Agent()
         contentOf(contentText("price(-1)"), agent) shouldBe "price(-1)"
         contentOf(contentText("a \"text\" \\ of\nlines"), agent) shouldBe "a \"text\" \\ of\nlines"
+    }
+
+    test("a text that is no content, as another program may send it, is refused as such, and shown up to 200 characters") {
+        val agent = jason.asSemantics.Agent()
+        for (text in listOf("#text(", "#text(abc)", "#map(a)", "#event(1,foo,bar,#none,x)", "#fun()", "#set(", "")) {
+            withClue(text) { shouldThrow<IllegalArgumentException> { contentOf(text, agent) } }
+        }
+        shouldThrow<IllegalArgumentException> { contentOf("x(\"" + "y".repeat(1000), agent) }.message shouldBe
+            "Jason cannot read \"x(\"${"y".repeat(197)}…\""
+        val signs = Arb.element("", "(", ")", "#", "\"", ",", "1", "_", "[", "|", "::", ".", "\\")
+        checkAll(2000, Arb.terms().map { textOf(it) }, Arb.int(0..1000), signs) { written, place, sign ->
+            val text = written.replaceRange(place % written.length, place % written.length + 1, sign)
+            val failure = runCatching { contentOf(text, agent) }.exceptionOrNull()
+            withClue("$text: $failure") { (failure == null || failure is IllegalArgumentException) shouldBe true }
+        }
     }
 })
