@@ -141,7 +141,7 @@ internal class Outgoing(private val to: String, first: Long) {
          * waits for a computer that does not read, which would delay signs of life to other computers.
          */
         private const val WINDOW_BYTES = 64 shl 10
-        private const val WINDOW_PIECES = 512
+        const val WINDOW_PIECES = 512
 
         /** The first time after which a piece is sent again. TCP loses pieces only when a connection ends, which is noticed earlier. */
         private const val FIRST_PATIENCE_NANOS = 200_000_000L

@@ -73,6 +73,27 @@ class OutgoingIncomingSpec : FunSpec({
         outgoing.acknowledged(incoming.acknowledgement(), 0).single().done shouldBe later
     }
 
+    test("refusals that a sender never confirms to have are forgotten with the window in which it can wait for them") {
+        val incoming = Incoming()
+        for (number in 1L..10_000) {
+            incoming.take(Frame.Piece(number, 1, true, ByteArray(1)))
+            incoming.taken(number, "refused it is no message")
+        }
+        incoming.acknowledgement().refusals.keys.toList() shouldBe (9488L..10_000).toList()
+    }
+
+    test("messages of a sender that waits for no acknowledgement are dropped while too many wait for the listener") {
+        fun kept(size: Int): Int {
+            val incoming = Incoming()
+            val kept = (1L..10_000).count { incoming.take(Frame.Piece(it, 1, true, ByteArray(size))).message != null }
+            incoming.taken(1, null)
+            incoming.take(Frame.Piece(kept + 1L, 1, true, ByteArray(size))).message?.number shouldBe kept + 1L
+            return kept
+        }
+        kept(size = 1) shouldBe 1024
+        kept(size = 1 shl 20) shouldBe 17
+    }
+
     test("a message longer than any may be is not put together") {
         val incoming = Incoming()
         shouldThrow<IllegalArgumentException> {
