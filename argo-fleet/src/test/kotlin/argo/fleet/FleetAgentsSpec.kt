@@ -338,6 +338,20 @@ class FleetAgentsSpec : FunSpec({
         }
     }
 
+    test("services that are too much for another computer are told in the log, and to that computer again") {
+        val told = CopyOnWriteArrayList<RosterNews>()
+        computer("+!go <- .df_register(dig).", also = {
+            cluster.answer = { sent ->
+                (sent.message as? RosterNews)?.let(told::add)
+                sent.end.completeExceptionally(Overloaded("a message of 9000000 bytes to scout1 is too long"))
+            }
+        }) {
+            shouldLog("scout1 does not take all agents and services of base: they are too much")
+            eventually(60.seconds) { told.count { it.isWhole } shouldBeGreaterThan 1 }
+            logged("they are too much").size shouldBe 1
+        }
+    }
+
     test("an agent of another computer is killed there, and one here by a wish of another computer") {
         computer("+!go <- .kill_agent(b); +done.") {
             val sent = cluster.next()

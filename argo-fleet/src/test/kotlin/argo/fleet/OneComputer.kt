@@ -77,6 +77,12 @@ internal class OneComputer(placed: String, vararg programs: Pair<String, String>
     suspend fun shouldLog(text: String, times: Int = 1) =
         eventually(60.seconds) { records.count { text in it.message } shouldBeGreaterThanOrEqual times }
 
+    /** What was thrown with each line of the log that has [text]; null: nothing. */
+    fun thrown(text: String): List<Throwable?> = records.filter { text in it.message }.map { it.thrown }
+
+    /** The lines of the log with [text]. */
+    fun logged(text: String): List<String> = records.map { it.message }.filter { text in it }
+
     val isRunning: Boolean get() = mas.isRunning
 
     override fun close() {

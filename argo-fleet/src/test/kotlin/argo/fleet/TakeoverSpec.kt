@@ -1,6 +1,7 @@
 package argo.fleet
 
 import argo.fleet.cluster.Overloaded
+import argo.fleet.cluster.Refused
 import argo.fleet.node.Claim
 import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
@@ -20,6 +21,7 @@ import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
@@ -57,6 +59,20 @@ class TakeoverSpec : FunSpec({
             sent.clear()
             base.cluster.receives("scout1", Claim("m", 2, 2, mindTerm = 1, mindNumber = 7))
             sent shouldBe listOf(Grant("m", 2, 2, true))
+        }
+    }
+
+    test("a computer by whose project the agent outlives no computer is told once") {
+        OneComputer("m at \"base, scout1\";", "m" to "").use { base ->
+            val refusal = "m outlives no computer by the project of scout1; all computers need the same project"
+            val claims = AtomicInteger()
+            base.cluster.answer = { one ->
+                if (one.message is Claim) one.end.completeExceptionally(Refused("not_leased", refusal)) else one.end.complete(null)
+                if (one.message is Claim) claims.incrementAndGet()
+            }
+            base.cluster.view("scout1" to "1")
+            eventually(60.seconds) { claims.get() shouldBeGreaterThan 2 }
+            base.logged("does not let m run here") shouldBe listOf("scout1 does not let m run here: $refusal")
         }
     }
 

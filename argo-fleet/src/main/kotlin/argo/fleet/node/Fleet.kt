@@ -4,6 +4,7 @@ import argo.fleet.cluster.Cluster
 import argo.fleet.cluster.ClusterListener
 import argo.fleet.cluster.ClusterView
 import argo.fleet.cluster.Computer
+import argo.fleet.cluster.Overloaded
 import argo.fleet.cluster.Refused
 import argo.fleet.cluster.Unreachable
 import java.net.InetSocketAddress
@@ -144,6 +145,7 @@ internal class Fleet(
         end.exceptionally { failed ->
             if (failed.reason() is Refused) once("$computer does not take the agents and services of $here: ${failed.reason().message}")
             else if (computer in directory.inTouch) {
+                if (failed.reason() is Overloaded) once("$computer does not take all agents and services of $here: they are too much")
                 CompletableFuture.delayedExecutor(RETRY_MS, TimeUnit.MILLISECONDS).execute { tellAll(computer) }
             }
             null

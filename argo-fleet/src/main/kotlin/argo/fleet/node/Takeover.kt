@@ -134,6 +134,7 @@ internal class Takeover(
         private var reign: Reign? = null
         private var missingSince: Long? = null
         private val retry = Retry(nanos)
+        private val refusing = ConcurrentHashMap.newKeySet<String>() // the computers that take no claims
         private var told: String? = null // the last logged reason why this computer could not run the agent
 
         fun take(news: MindNews) {
@@ -203,7 +204,16 @@ internal class Takeover(
         private fun claim() {
             val claim = lease.claim(agent).copy(mindTerm = mind?.term ?: 0, mindNumber = mind?.number ?: 0)
             take(fleet.here, lease.answer(fleet.here, claim))
-            fleet.sendOthers(claim)
+            fleet.sendOthers(claim).forEach { (computer, end) -> tellRefusal(computer, end) }
+        }
+
+        /** Tells once why [computer] takes no claim: by its project, the agent may outlive no computer. */
+        private fun tellRefusal(computer: String, end: CompletionStage<Void>) {
+            end.exceptionally { failed ->
+                val reason = failed.reason()
+                if (reason is Refused && refusing.add(computer)) log.severe("$computer does not let $agent run here: ${reason.message}")
+                null
+            }
         }
     }
 
