@@ -167,6 +167,12 @@ internal class FleetProject(project: MAS2JProject) {
             )
         }
         if (computers.size != computers.toSet().size) throw FleetProjectException("agent ${parameters.name} is at a computer twice")
+        if (RESUME in parameters.options.orEmpty()) {
+            throw FleetProjectException(
+                "agent ${parameters.name} is at ${computers.joinToString()}, and has $RESUME: the computers know what it believes, and a" +
+                    " file of one of them may be older; leave $RESUME out",
+            )
+        }
     }
 
     private fun value(option: String): Term? = options.find { it.functor == option }?.let(::argument)
@@ -179,6 +185,7 @@ internal class FleetProject(project: MAS2JProject) {
     companion object {
         const val INFRASTRUCTURE = "Fleet"
         private const val VIEW = "argo_view"
+        private const val RESUME = "argo_resume"
         private val KNOWN = listOf("name", "hosts", "port", "tls", "insecure")
 
         /** The functor for a computer whose name is no atom of AgentSpeak. */

@@ -86,6 +86,13 @@ class FleetProjectSpec : FunSpec({
         shouldThrow<FleetProjectException> { fleet("Fleet", "a at \"base, scout\";") }.message shouldContain "most computers have to agree"
     }
 
+    test("an agent that outlives its computer, and has a file of one computer to go on from, is refused") {
+        val hosts = "Fleet(hosts([base(\"127.0.0.1:1\"),s(\"127.0.0.1:2\")]))"
+        shouldThrow<FleetProjectException> { fleet(hosts, "a [argo_resume=\"a.state\"] at \"base, s\";") }.message shouldContain
+            "leave argo_resume out"
+        fleet(hosts, "a [argo_resume=\"a.state\"] at \"base\";").planned shouldBe mapOf("a" to listOf("base"))
+    }
+
     test("a computer that the project does not know is refused, with those that it knows") {
         val fleet = fleet("Fleet(hosts([base(\"127.0.0.1:1\"),s(\"127.0.0.1:2\")]))")
         shouldThrow<FleetProjectException> { fleet.settings("scout9", null) }.message shouldContain
