@@ -17,6 +17,7 @@ import argo.fleet.node.Takeover
 import argo.fleet.node.Unanswered
 import argo.insides.Insides
 import argo.recording.agent.AwaitedOutside
+import jason.JasonException
 import jason.infra.local.LocalAgArch
 import jason.infra.local.RunLocalMAS
 import jason.mas2j.ClassParameters
@@ -26,6 +27,7 @@ import jason.mas2j.parser.mas2j
 import jason.runtime.MASConsoleLogFormatter
 import jason.runtime.RuntimeServicesFactory
 import java.io.File
+import java.io.IOException
 import java.io.InputStream
 import java.util.concurrent.Executors
 import java.util.concurrent.Future
@@ -126,7 +128,8 @@ internal class FleetMas :
         try {
             createdAgents.add(create(agent) { FleetAgArch(fleet) })
         } catch (@Suppress("TooGenericExceptionCaught") failed: Throwable) { // a class that an agent needs may be missing
-            log.log(Level.SEVERE, "agent ${agent.name} cannot be created: ${failed.message}", failed)
+            val unexpected = failed.takeUnless { it is IOException || it is JasonException } // these say all in words
+            log.log(Level.SEVERE, "agent ${agent.name} cannot be created: ${failed.message}", unexpected)
         }
     }
 

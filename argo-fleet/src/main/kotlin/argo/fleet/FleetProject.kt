@@ -57,7 +57,8 @@ internal class FleetProject(project: MAS2JProject) {
 
     private val certificates: Path? = value("tls")?.let { Path.of(text(it)) }
 
-    private val isInsecure: Boolean = options.any { it.functor == "insecure" }
+    private val isInsecure: Boolean =
+        options.find { it.functor == "insecure" }?.also { if ("$it" != "insecure") refuse(it, "insecure, or nothing,") } != null
 
     val agents: List<PlacedAgent> = project.agents.flatMap(::placed)
 
@@ -84,7 +85,8 @@ internal class FleetProject(project: MAS2JProject) {
         val known = hosts.keys.ifEmpty { agents.flatMap { it.computers }.toSet() }
         if (here !in known) throw FleetProjectException("there is no computer $here in this fleet; there are ${known.joinToString()}")
         if (bind != null && hosts.isNotEmpty()) {
-            throw FleetProjectException("the project names the address of $here, ${hosts[here]}, so --bind $bind has no meaning")
+            val named = hosts.getValue(here).run { "$hostString:$port" }
+            throw FleetProjectException("the project names the address of $here, $named, so --bind $bind has no meaning")
         }
         val address = hosts[here] ?: if (bind == null) ClusterSettings.loopback(port) else InetSocketAddress(bind, port)
         try {
@@ -104,7 +106,10 @@ internal class FleetProject(project: MAS2JProject) {
         val options = try {
             ASSyntax.parseList(infrastructure.parameters.joinToString(",", "[", "]")).asList
         } catch (unreadable: ParseException) {
-            throw FleetProjectException("$infrastructure cannot be read: ${unreadable.message}")
+            throw FleetProjectException(
+                "$infrastructure cannot be read: ${unreadable.message?.lineSequence()?.first()}; a name in upper case stands in quotes," +
+                    " as host(\"Pi\",\"10.8.0.1\")",
+            )
         }
         val names = options.map { it.functor }
         names.find { it !in KNOWN }?.let { throw FleetProjectException("$it is no option of Fleet, which has ${KNOWN.joinToString()}") }

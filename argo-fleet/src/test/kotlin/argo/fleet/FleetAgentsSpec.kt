@@ -436,6 +436,14 @@ class FleetAgentsSpec : FunSpec({
         }
     }
 
+    test("an agent whose program is missing is told in one line, and the others begin") {
+        OneComputer("a at \"base\"; b nothing.asl at \"base\";", "a" to "!go. +!go <- +done.").use { base ->
+            base.shouldBelieve("a", "done[source(self)]")
+            base.shouldLog("agent b cannot be created: ")
+            base.thrown("agent b cannot be created: ") shouldBe listOf(null)
+        }
+    }
+
     test("an option of Jason's pools of threads, and a wrong word about percepts, are told") {
         computer("", options = "[argo_fleet=robots, cycles=3]") {
             shouldLog("a: cycles has no effect in a fleet")

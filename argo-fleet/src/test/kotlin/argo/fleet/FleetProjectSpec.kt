@@ -39,6 +39,11 @@ class FleetProjectSpec : FunSpec({
         }
     }
 
+    test("a name in upper case without quotes is refused in one line") {
+        shouldThrow<FleetProjectException> { fleet("Fleet(hosts([Base(\"127.0.0.1\")]))") }.message shouldContain
+            Regex("Encountered .* at line 1, column 13\\.; a name in upper case stands in quotes, as host\\(\"Pi\",\"10.8.0.1\"\\)$")
+    }
+
     test("a name that is no word of AgentSpeak stands in quotes") {
         val hosts = "host(\"rasp-pi\",\"127.0.0.1:4800\"),\"localhost\",host(\"127.0.0.1:4801\")"
         val fleet = fleet("Fleet(hosts([$hosts]))", "a at \"rasp-pi\";")
@@ -67,6 +72,7 @@ class FleetProjectSpec : FunSpec({
             "Fleet(hots([base]))" to "hots is no option of Fleet",
             "Fleet(name(a), name(b))" to "name twice",
             "Fleet(insecure, tls(\"x\"))" to "of which only one can be meant",
+            "Fleet(insecure(no))" to "Fleet has insecure(no) where insecure, or nothing, is expected",
             "Fleet(port(70000))" to "a port from 1 to 65535",
             "Fleet(port(1,2))" to "port(…) with one argument",
             "Fleet(hosts(base))" to "hosts([base(\"10.8.0.1\")",
@@ -97,7 +103,8 @@ class FleetProjectSpec : FunSpec({
         val fleet = fleet("Fleet(hosts([base(\"127.0.0.1:1\"),s(\"127.0.0.1:2\")]))")
         shouldThrow<FleetProjectException> { fleet.settings("scout9", null) }.message shouldContain
             "there is no computer scout9 in this fleet; there are base, s"
-        shouldThrow<FleetProjectException> { fleet.settings("base", "127.0.0.1") }.message shouldContain "--bind 127.0.0.1 has no meaning"
+        shouldThrow<FleetProjectException> { fleet.settings("base", "127.0.0.1") }.message shouldContain
+            "base, 127.0.0.1:1, so --bind 127.0.0.1 has no meaning"
     }
 
     test("of the computers' addresses, only this one's has to be known") {

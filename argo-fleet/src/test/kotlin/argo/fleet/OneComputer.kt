@@ -4,6 +4,7 @@ import argo.Arch
 import argo.fleet.agents.FleetAgArch
 import argo.fleet.node.Fleet
 import argo.observing.ObservedComputer
+import argo.platform.Plans
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
