@@ -28,7 +28,9 @@ final class ActionCheck {
         int arguments = term.arguments().size();
         BoardAction known = null;
         for (BoardAction action : actions) {
-            known = action.name().equals(name) ? action : known; // if several actions have one name, the last one counts
+            known = action.name().equals(name)
+                    ? action
+                    : known; // if several actions have one name, the last one counts
         }
         if (known == null) {
             return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "

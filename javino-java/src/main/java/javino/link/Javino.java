@@ -112,7 +112,8 @@ public class Javino implements AutoCloseable {
         try {
             work.run();
             return true;
-        } catch (PortException | IllegalArgumentException e) { // IllegalArgumentException: the message fits into no frame
+        } catch (PortException
+                | IllegalArgumentException e) { // IllegalArgumentException: the message fits into no frame
             lastError = e.getMessage();
             return false;
         }

@@ -114,7 +114,8 @@ final class Version1Requests {
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop the bytes that have come
+            answer =
+                    inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // a repetition would drop the bytes that have come
         }
         return answer;
     }

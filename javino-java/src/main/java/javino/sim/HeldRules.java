@@ -24,7 +24,8 @@ final class HeldRules {
         }
     }
 
-    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule number and an outcome
+    private static final int MAX_PERCEPT =
+            WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds a rule number and an outcome
 
     private final int capacity;
     private final Map<Integer, Watched> rules = new TreeMap<>(); // key: the rule's number

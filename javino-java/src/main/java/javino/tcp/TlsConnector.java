@@ -53,7 +53,8 @@ final class TlsConnector {
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // reads the files before connecting
+            TlsConnector connector =
+                    new TlsConnector(port, address, folder, limitMillis); // reads the files before connecting
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);

@@ -50,6 +50,7 @@ internal class Takeover(
     private val held = planned.mapValues { (agent, computers) ->
         Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
     }
+
     // pairs of a computer and an agent whose mind the computer lacks
     private val behind = ConcurrentHashMap.newKeySet<Pair<String, String>>()
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
