@@ -6,6 +6,9 @@ import java.io.InputStream
 /**
  * Gives a thread the name of the computer whose connection it reads. The computer has proved its name at the start of the connection.
  * JGroups reads each connection on a thread of its own. The reading thread passes on the messages without the connection.
+ *
+ * `JGroupsGroup` leaves out messages under the name of another computer. `Fleet` refuses messages of agents that do not run on the
+ * computer.
  */
 internal object Origin {
     private val names = ThreadLocal<String>()

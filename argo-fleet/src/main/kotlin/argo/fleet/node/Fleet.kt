@@ -55,7 +55,7 @@ internal class Fleet(
     private lateinit var takeover: Takeover
     private val movable = planned.filterValues { it.size > 1 }.keys // the agents that outlive their computers
     private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
-    private var differing = emptyMap<String, Int>() // the digests in the last [Known] that differ here; for the cluster's thread
+    private var differing = emptyMap<String, Int>() // the last digests told that differ here, by computer; for the cluster's thread
     private val told = ConcurrentHashMap.newKeySet<String>() // the lines that were logged once and must not be repeated
     private val met = CompletableFuture<Unit>()
 
@@ -204,12 +204,15 @@ internal class Fleet(
             if (news.asksBack) tellAll(from)
         }
 
-        /** Asks each computer whose roster differs here for the second time. The first time, the news may still be on their way. */
+        /**
+         * Asks each computer whose roster differs here for the second time. The first time, its news may still be on their way. The news of
+         * [from] have all come before [known], so [from] itself is asked at once.
+         */
         private fun take(from: String, known: Known) {
             val mine = directory.digests
             val others = (known.digests - here).filter { (computer, digest) -> computer in directory.inTouch && mine[computer] != digest }
-            val missed = others.filter { (computer, digest) -> differing[computer] == digest }.keys
-            differing = others
+            val missed = others.filter { (computer, digest) -> computer == from || differing[computer] == digest }.keys
+            differing += others // also after news of a computer that has missed the same as this one
             missed.forEach {
                 log.info("$from knows other agents or services of $it than $here does, so $here asks for them")
                 tellAll(it, asksBack = true)
