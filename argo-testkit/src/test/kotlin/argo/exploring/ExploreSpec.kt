@@ -14,6 +14,7 @@ import io.kotest.matchers.types.shouldBeInstanceOf
 import planted.PLANTED
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
 
 class ExploreSpec : FunSpec({
@@ -65,6 +66,7 @@ class ExploreSpec : FunSpec({
             }
             rules(sendsAgain(listOf("stop")))
             runs = 150
+            time = 10.minutes // for a busy machine
         }
         val found = outcomeOf(stopping(isMended = false), describe).shouldBeInstanceOf<Found>()
         found.breach.how shouldContain "stop of agent failed with"
