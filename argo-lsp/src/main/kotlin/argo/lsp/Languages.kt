@@ -15,7 +15,7 @@ import argo.lsp.project.Projects
 import argo.lsp.projectfile.ProjectFileLanguage
 import argo.lsp.text.OpenTexts
 import argo.lsp.text.Text
-import argo.tools.replay.classPathWithJason
+import argo.tools.command.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
 
 /**

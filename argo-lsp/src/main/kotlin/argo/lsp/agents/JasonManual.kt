@@ -1,7 +1,7 @@
 package argo.lsp.agents
 
 import argo.check.rules.INTERNAL_ACTION_NAMES
-import argo.tools.replay.filesOn
+import argo.tools.command.filesOn
 import java.net.URLClassLoader
 
 /**

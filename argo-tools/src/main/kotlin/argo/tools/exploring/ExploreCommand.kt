@@ -3,13 +3,13 @@ package argo.tools.exploring
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
+import argo.tools.command.classPathWithJason
+import argo.tools.command.missingJason
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
 import argo.tools.command.runJava
-import argo.tools.replay.classPathWithJason
-import argo.tools.replay.missingJason
-import argo.tools.replay.tellAbsent
+import argo.tools.command.tellAbsent
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option

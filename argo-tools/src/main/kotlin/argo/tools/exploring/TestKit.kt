@@ -2,8 +2,8 @@ package argo.tools.exploring
 
 import argo.tools.command.Installation
 import argo.tools.command.ToolException
+import argo.tools.command.filesOn
 import argo.tools.command.ownJar
-import argo.tools.replay.filesOn
 import java.io.File
 import java.io.IOException
 import java.nio.file.Path

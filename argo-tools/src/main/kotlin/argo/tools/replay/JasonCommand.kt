@@ -1,8 +1,13 @@
 package argo.tools.replay
 
 import argo.tools.command.DataCommand
+import argo.tools.command.QUICK_START
 import argo.tools.command.ToolException
+import argo.tools.command.classPathWithJason
+import argo.tools.command.hasJason
+import argo.tools.command.missingJason
 import argo.tools.command.runJava
+import argo.tools.command.tellAbsent
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 

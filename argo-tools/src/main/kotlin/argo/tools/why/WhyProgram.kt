@@ -1,10 +1,10 @@
 package argo.tools.why
 
+import argo.tools.command.QUICK_START
 import argo.tools.command.awaitEnd
+import argo.tools.command.classPathWithJason
 import argo.tools.command.java
-import argo.tools.replay.QUICK_START
-import argo.tools.replay.classPathWithJason
-import argo.tools.replay.missingJason
+import argo.tools.command.missingJason
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.CompletableFuture

@@ -1,4 +1,4 @@
-package argo.tools.replay
+package argo.tools.command
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -6,7 +6,7 @@ import io.kotest.matchers.shouldBe
 import java.io.File
 import kotlin.io.path.createDirectories
 
-class JasonProgramSpec : FunSpec({
+class JasonClassPathSpec : FunSpec({
     val project = tempdir().toPath()
     val said = "an exploration runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as "
     val jars = "jason/*${File.pathSeparator}"

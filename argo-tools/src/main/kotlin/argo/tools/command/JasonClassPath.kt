@@ -1,8 +1,5 @@
-package argo.tools.replay
+package argo.tools.command
 
-import argo.tools.command.Installation
-import argo.tools.command.ToolException
-import argo.tools.command.ownJar
 import java.io.File
 import java.io.PrintWriter
 import java.nio.file.Path
