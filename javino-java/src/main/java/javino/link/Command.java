@@ -83,14 +83,7 @@ final class Command implements SessionCommand {
         return options.latest();
     }
 
-    boolean replaces(Command earlier) {
-        return isLatest()
-                && earlier.isWaiting()
-                && earlier.rule == null
-                && functor().equals(earlier.functor());
-    }
-
-    private String functor() {
+    String functor() {
         return PerceptTerm.of(text()).functor();
     }
 

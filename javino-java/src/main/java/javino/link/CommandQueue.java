@@ -19,7 +19,7 @@ final class CommandQueue {
      * Queues a command. The command takes the place of the first equally urgent command that it replaces. Returns all replaced commands.
      */
     List<Command> add(Command command) {
-        List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
+        List<Command> replaced = command.isLatest() ? withdrawIf(earlier -> replaces(command, earlier)) : List.of();
         List<Command> its = command.isUrgent() ? urgent : ordinary;
         int place = replaced.stream()
                 .filter(earlier -> earlier.isUrgent() == command.isUrgent())
@@ -34,6 +34,11 @@ final class CommandQueue {
         submitted++;
         command.submitted(submitted);
         return replaced;
+    }
+
+    /** The option {@code latest}: a command replaces the waiting commands with its functor, but no rule. */
+    private static boolean replaces(Command latest, Command earlier) {
+        return earlier.isWaiting() && earlier.rule() == null && latest.functor().equals(earlier.functor());
     }
 
     Command head() {
