@@ -13,11 +13,11 @@ import argo.connecting.Ports
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.Observers
-import argo.perception.EarlierWork
 import argo.perception.EveryHandOver
 import argo.perception.FreshHandOver
 import argo.perception.HandOver
 import argo.perception.ReasoningQueues
+import argo.perception.UnfinishedWork
 import argo.platform.Platform
 import argo.platform.RateLimitedWarning
 import argo.platform.ThinnedLog
@@ -147,7 +147,7 @@ internal class AgentBoards(
                 log.warning("the agent is too slow for the events of port ${board.term}: $count are lost; make its plans for them shorter")
             }
         }
-        return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
+        return FreshHandOver(UnfinishedWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             if (!isStanding) late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"

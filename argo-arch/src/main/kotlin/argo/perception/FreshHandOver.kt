@@ -22,7 +22,7 @@ import kotlin.concurrent.withLock
  * @param tellLate called without the lock if snapshots have waited longer than [LATE_MS]; `why` is the kind of awaited work
  */
 internal class FreshHandOver(
-    private val work: EarlierWork,
+    private val work: UnfinishedWork,
     private val tellLost: (count: Long) -> Unit = { },
     private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
 ) : HandOver {

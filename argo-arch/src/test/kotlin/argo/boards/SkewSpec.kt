@@ -1,9 +1,9 @@
 package argo.boards
 
 import argo.acting.CommandLedger
-import argo.perception.EarlierWork
 import argo.perception.FreshHandOver
 import argo.perception.Snapshot
+import argo.perception.UnfinishedWork
 import argo.sensing.SensingInstants
 import io.kotest.core.spec.style.FunSpec
 import java.util.concurrent.TimeUnit
@@ -13,7 +13,7 @@ import kotlin.random.Random
 private class AskedBoard(private val random: Random, begins: Long) {
     private val intervalNanos = ms(listOf(0, 5, 20, 50, 100, 250).random(random))
     private val longestNanos = ms(random.nextInt(1, 200))
-    private val handOver = FreshHandOver(EarlierWork(CommandLedger { null }, nowMs = { 0 }))
+    private val handOver = FreshHandOver(UnfinishedWork(CommandLedger { null }, nowMs = { 0 }))
     private var askedNanos = begins + random.nextLong(longestNanos)
 
     /** The time at which the board's next answer arrives. */

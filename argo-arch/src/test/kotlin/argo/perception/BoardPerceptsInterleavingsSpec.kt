@@ -29,7 +29,7 @@ private class Perceiving(private val port: OpenPort, log: Logger) {
     @Volatile
     var reflexes = 0
     private val warning = RateLimitedWarning({ 0 }) { error(it) }
-    private val handOver = FreshHandOver(EarlierWork(CommandLedger { null }, nowMs = { 0 }))
+    private val handOver = FreshHandOver(UnfinishedWork(CommandLedger { null }, nowMs = { 0 }))
     val board = BoardPercepts(
         WantedBoard { wants }, BeliefReader { error(it) }, PerceptLimit(1000, warning), handOver,
         Reflexes({ _, _, _ -> reflexes++ }, { _, _ -> false }, { _, _, _ -> }, warning), log,

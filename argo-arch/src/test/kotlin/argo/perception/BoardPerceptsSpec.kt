@@ -37,7 +37,7 @@ private class PerceptsBench(port: OpenPort) {
     var wants = true
     private val warning = RateLimitedWarning({ nowMs }) { error(it) }
     private val sent = ArrayList<String>()
-    private val handOver = FreshHandOver(EarlierWork(CommandLedger { null }))
+    private val handOver = FreshHandOver(UnfinishedWork(CommandLedger { null }))
     private val port = port
     var isBoards = false
     private val unreadable = ArrayList<String>()

@@ -27,7 +27,7 @@ class CriticalLaneSpec : FunSpec({
     class Busy(events: Int) {
         val queue = ConcurrentLinkedQueue<Event>()
         val commands = CommandLedger { this }
-        val handOver = FreshHandOver(EarlierWork(commands, ReasoningQueues { queue }))
+        val handOver = FreshHandOver(UnfinishedWork(commands, ReasoningQueues { queue }))
 
         init {
             commands.issue(this)

@@ -38,7 +38,7 @@ class HandOverInterleavingsSpec : FunSpec({
     fun snapshot(n: Long, critical: List<CriticalPercept<Literal>> = emptyList()) =
         Snapshot(null, emptyList(), emptyList(), emptyList(), n, critical)
 
-    fun fresh() = FreshHandOver(EarlierWork(CommandLedger { null }, nowMs = { 0 }))
+    fun fresh() = FreshHandOver(UnfinishedWork(CommandLedger { null }, nowMs = { 0 }))
 
     /** Puts [snapshots] while the agent takes twice, in all interleavings. [expect] gets the times of all taken snapshots. */
     fun check(handOver: () -> HandOver, vararg snapshots: Snapshot, expect: (List<Long>) -> Boolean) = inEachInterleaving {

@@ -29,7 +29,7 @@ class HandOverSpec : FunSpec({
 
     context("fresh") {
         test("gives the newest snapshot, once") {
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }))
             handOver.take() shouldBe null
             handOver.put(snapshot(1))
             handOver.put(snapshot(2))
@@ -39,7 +39,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("gives each event in its turn, together with the newest of all else") {
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }))
             for (n in 1L..4) handOver.put(snapshot(n, if (n in 2..3) "e($n)" else null))
             handOver.take()?.texts shouldBe listOf("n(4)", "e(2)")
             handOver.put(snapshot(5))
@@ -51,7 +51,7 @@ class HandOverSpec : FunSpec({
 
         test("of more events than may wait the oldest are lost, and counted") {
             val told = ArrayList<Long>()
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }), told::add)
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }), told::add)
             for (n in 1L..FreshHandOver.MAX_EVENTS + 2) handOver.put(snapshot(n, "e($n)"))
             handOver.take()?.texts?.last() shouldBe "e(3)"
             told shouldBe listOf(1L, 2L)
@@ -59,7 +59,7 @@ class HandOverSpec : FunSpec({
 
         test("waits while percept events of the one before are in the queue") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
@@ -74,7 +74,7 @@ class HandOverSpec : FunSpec({
 
         test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
@@ -92,7 +92,7 @@ class HandOverSpec : FunSpec({
                 override val size get() = events.size
                 override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
             }
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
@@ -103,7 +103,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("a snapshot of an older message does not take the place of a newer one") {
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }))
             handOver.put(snapshot(2))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 2
@@ -111,7 +111,7 @@ class HandOverSpec : FunSpec({
 
         test("other events than those of percepts are nothing to wait for") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
@@ -123,7 +123,7 @@ class HandOverSpec : FunSpec({
             val queue = ArrayDeque<Event>()
             var stands = true
             var nowMs = 0L
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues({ stands }) { queue }, { nowMs }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues({ stands }) { queue }, { nowMs }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += percept("+dist(f,1)[source(percept)]")
@@ -139,7 +139,7 @@ class HandOverSpec : FunSpec({
 
         test("waits until the intentions that percepts have begun have finished or wait, and for no others") {
             val running = ArrayDeque(listOf(intention("+!drive"), intention("+dist(f,1)[source(percept)]")))
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { 0 }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe false
             handOver.take() shouldBe null
@@ -148,7 +148,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("does not wait for an intention that has finished and has not been removed yet") {
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { listOf(Intention()) }), { 0 }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues(running = { listOf(Intention()) }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe true
             handOver.take()?.receivedNanos shouldBe 1
@@ -157,10 +157,10 @@ class HandOverSpec : FunSpec({
         test("does not wait for an intention that runs on") {
             var nowMs = 0L
             val running = listOf(intention("+dist(f,1)[source(percept)]"))
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { nowMs }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { nowMs }))
             handOver.put(snapshot(1))
             handOver.take() shouldBe null
-            nowMs = EarlierWork.LONG_MS
+            nowMs = UnfinishedWork.LONG_MS
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
             handOver.take()?.receivedNanos shouldBe 2
@@ -168,7 +168,7 @@ class HandOverSpec : FunSpec({
 
         test("waits for the commands issued before the last hand-over and for no others") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(EarlierWork(ledger))
+            val handOver = FreshHandOver(UnfinishedWork(ledger))
             val first = ledger.issue(Robot)
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1 // no hand-over comes before the first one
@@ -187,7 +187,7 @@ class HandOverSpec : FunSpec({
             val other = Any()
             var inUse: Any? = other
             val ledger = CommandLedger { inUse }
-            val handOver = FreshHandOver(EarlierWork(ledger))
+            val handOver = FreshHandOver(UnfinishedWork(ledger))
             ledger.issue(other)
             handOver.put(snapshot(1))
             handOver.take()
@@ -212,7 +212,7 @@ class HandOverSpec : FunSpec({
         test("tells that snapshots wait for long, and for which work") {
             val ledger = CommandLedger { Robot }
             val told = mutableListOf<String>()
-            val handOver = FreshHandOver(EarlierWork(ledger)) { ms, why -> told += "$ms ms: $why" }
+            val handOver = FreshHandOver(UnfinishedWork(ledger)) { ms, why -> told += "$ms ms: $why" }
             fun put(ms: Long) = handOver.put(snapshot(ms * 1_000_000))
             put(0)
             put(9_000) // nothing is left, so only the agent is slow
@@ -233,7 +233,7 @@ class HandOverSpec : FunSpec({
 
         test("after the agent was paused, the newest is taken next whatever work is left, and none before it") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(EarlierWork(ledger))
+            val handOver = FreshHandOver(UnfinishedWork(ledger))
             ledger.issue(Robot)
             handOver.put(snapshot(1))
             handOver.take()
@@ -249,7 +249,7 @@ class HandOverSpec : FunSpec({
 
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(EarlierWork(ledger))
+            val handOver = FreshHandOver(UnfinishedWork(ledger))
             var taken = 0
             var onItsWay = ledger.issue(Robot)
             repeat(100) { n ->
@@ -263,7 +263,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("what is cleared is never taken") {
-            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
+            val handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }))
             handOver.put(snapshot(1))
             handOver.clear()
             handOver.take() shouldBe null

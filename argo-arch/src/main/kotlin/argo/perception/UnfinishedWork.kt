@@ -45,7 +45,7 @@ internal class ReasoningQueues(
  * @param isOwn returns true if a percept belongs to the board, or is in the board's namespace and belongs to no perceived board. Called by
  * any thread
  */
-internal class EarlierWork(
+internal class UnfinishedWork(
     val commands: CommandLedger,
     private val queues: ReasoningQueues = ReasoningQueues(),
     private val nowMs: () -> Long = Platform.system.nowMs,
