@@ -6,7 +6,10 @@ private const val FOREIGN = "\\:*?\"<>|"
 /** The name with which an agent ends the filtering. */
 const val NO_FILTER: String = "none"
 
-/** Returns why [name] cannot be the name of a filter and its file. Returns null if [name] is usable. */
+/**
+ * Returns why [name] cannot be the name of a filter and its file. Returns null if [name] is usable. `FilterDirectory` refuses links that
+ * lead out of the filters' place.
+ */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name == NO_FILTER -> "argo.change_filter($NO_FILTER) ends the filtering"

@@ -92,6 +92,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
     }
 
+    /** Returns why the agent has no key frame now. `MindSerialization` finds further reasons, such as a loop `for`. */
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
