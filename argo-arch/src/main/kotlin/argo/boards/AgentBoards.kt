@@ -139,8 +139,9 @@ internal class AgentBoards(
     fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean = lines[port]?.rules?.isWatching(rule) == true
 
     fun handOverOf(board: Board): HandOver {
-        if (policy == SensingPolicy.IN_CYCLE) return EveryHandOver { log.warning(it) }
-        if (policy == SensingPolicy.EVERY) return EveryHandOver(queues::areCrowded) { log.warning(it) }
+        if (policy != SensingPolicy.FRESH) {
+            return EveryHandOver({ policy == SensingPolicy.EVERY && queues.areCrowded() }) { log.warning(it) }
+        }
         val late = rateLimitedWarning()
         val tellLost = { count: Long ->
             if (count.countOneBits() == 1) {

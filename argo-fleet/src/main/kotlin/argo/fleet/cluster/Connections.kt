@@ -18,7 +18,8 @@ internal class Connections : TCP() {
 
     @Synchronized
     override fun retainAll(members: Collection<Address>) {
-        (last - members.toSet()).forEach { srv.closeConnection(it, false) }
-        last = members.toSet()
+        val now = members.toSet()
+        (last - now).forEach { srv.closeConnection(it, false) }
+        last = now
     }
 }

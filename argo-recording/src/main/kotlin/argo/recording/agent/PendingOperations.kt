@@ -4,6 +4,7 @@ import argo.boundary.InternalCall
 import argo.observing.CommandFailure
 import argo.recording.CallFailure
 import argo.recording.End
+import argo.recording.Mail
 import jason.JasonException
 import jason.NoValueException
 import jason.asSemantics.ActionExec
@@ -71,12 +72,13 @@ private const val NO_VALUE = "no_value"
 internal fun errorsOf(failed: JasonException): List<String> =
     failed.errorTerms.filterNot { it is Structure && it.functor == "error_msg" }.map(::textOf)
 
-/** Returns an exception that makes a plan fail with [message] and with the annotations [errors]; without any, with Jason's usual error. */
-internal fun exceptionOf(message: String, errors: List<String>): JasonException {
+/** Returns the exception with which sending this mail failed; null if it was sent. Without annotations, it has Jason's usual error. */
+internal fun Mail.exception(): JasonException? {
+    if (failure == null) return null
     val terms = errors.map { termOf(it) }
     val error = terms.firstOrNull() as? Structure
-    if (error?.functor != "error" || error.arity != 1) return JasonException(message)
-    return JasonException(message, error.getTerm(0)).apply { terms.drop(1).forEach(::addErrorAnnot) }
+    if (error?.functor != "error" || error.arity != 1) return JasonException(failure)
+    return JasonException(failure, error.getTerm(0)).apply { terms.drop(1).forEach(::addErrorAnnot) }
 }
 
 internal fun callFailure(failed: JasonException) = CallFailure(

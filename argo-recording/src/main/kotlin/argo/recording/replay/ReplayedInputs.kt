@@ -24,7 +24,7 @@ import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.contentOf
-import argo.recording.agent.exceptionOf
+import argo.recording.agent.exception
 import argo.recording.agent.literalOf
 import argo.recording.agent.mailOf
 import argo.recording.agent.orderOf
@@ -218,7 +218,7 @@ internal class ReplayedInputs(
         val recorded = answers.sent(now)
         recorded?.let { ids[it.id] = message.msgId }
         course.sent(now.copy(failure = recorded?.failure, errors = recorded?.errors.orEmpty()))
-        recorded?.failure?.let { throw exceptionOf(it, recorded.errors) }
+        recorded?.exception()?.let { throw it }
     }
 
     override fun canSleep(live: () -> Boolean): Boolean = sleep.removeFirstOrNull() != 'n' && !answers.isHeldAwake
