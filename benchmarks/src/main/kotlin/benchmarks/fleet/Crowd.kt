@@ -11,47 +11,89 @@ private const val MAX_SHARE = 0.1
 private const val PATIENCE_S = 300
 private const val IDLE_S = 30
 
+private const val FEW = "few.mas2j"
+private const val ENDS = "ends"
+private const val JASON = "jason.infra.local.RunLocalMAS"
+
 /** The time between the starts of two processes. Two processors start about two processes per second. */
 internal const val PACE_MS = 500L
 
-/** Measures the time until fifty computers know a thousand agents, and the cost of these computers when idle. */
+/**
+ * Measures the time until fifty computers know a thousand agents, and the cost of these computers. Measures also the cost of as many agents
+ * in processes of Jason without a fleet.
+ */
 internal fun crowd(): Boolean {
     val names = List(COMPUTERS) { "computer${it + 1}" }
     val agents = names.joinToString(" ") { "watcher_$it watcher.asl at \"$it\"; member_${it}_ member.asl #${AGENTS - 1} at \"$it\";" }
-    return Project("MAS bench { infrastructure: ${Project.fleetOf(names)} agents: $agents }", listOf("watcher", "member")).use { project ->
-        val options = sharing(project)
+    val mas2j = "MAS bench { infrastructure: ${Project.fleetOf(names)} agents: $agents }"
+    val reached = Project(mas2j, listOf("watcher", "member")).use { project ->
+        val few = listOf("archiving", "second", "third")
+        val members = few.joinToString(" ") { "$it ${if (it == few[0]) ENDS else "member"}.asl at \"$it\";" }
+        val fleet = "MAS few { infrastructure: ${Project.fleetOf(few)} agents: $members }"
+        val options = sharing(project, fleet, few.size, few.map { Project.computer(it, FEW) })
         val begin = System.nanoTime()
-        val processes = names.map { name -> project.startComputer(name, options).also { Thread.sleep(PACE_MS) } }
-        project.await(PATIENCE_S, "that all know ${COMPUTERS * AGENTS} agents") { project.noted(NAMES).size == COMPUTERS }
+        val processes = startAll(project, options, names.map { Project.computer(it) })
         val seconds = (System.nanoTime() - begin) / 1e9
+        val cost = costOf(processes)
         val isEqual = project.noted(NAMES).map { it[1] }.distinct().size == 1
-        Thread.sleep(IDLE_S * 1000L)
-        val before = processes.sumOf(::ticks)
-        Thread.sleep(IDLE_S * 1000L)
-        val share = (processes.sumOf(::ticks) - before) / TICKS_A_SECOND / IDLE_S
         println(
             figures("%d processes with %,d agents: all know all after %.0f s", COMPUTERS, COMPUTERS * AGENTS, seconds) +
-                figures(", idle %.1f %% of a processor", share * 100) +
-                figures(", .all_names %s, %,d MB", if (isEqual) "equal" else "differ", processes.sumOf(::residentKb) / 1024),
+                ", $cost, .all_names ${if (isEqual) "equal" else "differ"}" + figures(", %,d MB", processes.sumOf(::residentKb) / 1024),
         )
-        isEqual && seconds <= MAX_START_S && share <= MAX_SHARE
+        isEqual && seconds <= MAX_START_S && cost.share <= MAX_SHARE
+    }
+    println("as many agents in processes of Jason without a fleet: ${withoutFleet()}")
+    return reached
+}
+
+private fun withoutFleet(): Cost {
+    val agents = "counted; member member.asl #${AGENTS - 1};"
+    return Project("MAS bench { infrastructure: Local agents: $agents }", listOf("counted", "member")).use { project ->
+        val options = sharing(project, "MAS few { infrastructure: Local agents: $ENDS; }", 1, listOf(listOf(JASON, FEW)))
+        costOf(startAll(project, options, List(COMPUTERS) { listOf(JASON, Project.MAS2J) }))
     }
 }
 
+/** Starts [programs] one after the other. Returns their processes after an agent in each has counted all agents. */
+private fun startAll(project: Project, options: List<String>, programs: List<List<String>>): List<Process> {
+    val processes = programs.map { program -> project.start(program, options).also { Thread.sleep(PACE_MS) } }
+    project.await(PATIENCE_S, "that an agent in each process knows all agents") { project.noted(NAMES).size == programs.size }
+    return processes
+}
+
 /**
- * Makes an archive of the classes that a computer loads until it is in touch with others. Returns Java options that share the archive, save
- * memory and compile quickly. Many processes then fit on one computer.
+ * The cost of processes.
+ *
+ * @property start the processor time for their start, in seconds
+ * @property share the share of one processor that they use later, when nothing happens
  */
-private fun sharing(project: Project): List<String> {
+private class Cost(val start: Double, val share: Double) {
+    override fun toString() = figures("%.0f s of processor time, idle %.1f %% of a processor", start, share * 100)
+}
+
+private fun costOf(processes: List<Process>): Cost {
+    fun seconds() = processes.sumOf(::ticks) / TICKS_A_SECOND
+    val start = seconds()
+    Thread.sleep(IDLE_S * 1000L)
+    val before = seconds()
+    Thread.sleep(IDLE_S * 1000L)
+    return Cost(start, (seconds() - before) / IDLE_S)
+}
+
+/**
+ * Makes an archive of the classes that the first of [programs] loads until it knows [agents] agents. Returns Java options that share the
+ * archive, save memory and compile quickly. Many processes then fit on one computer.
+ *
+ * @param few the text of the programs' project, [FEW]. The first program has the agent [ENDS]
+ */
+private fun sharing(project: Project, few: String, agents: Int, programs: List<List<String>>): List<String> {
     val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData")
     project.packClasses()
-    val names = listOf("archiving", "second", "third")
-    val agents = names.joinToString(" ") { "$it ${if (it == names[0]) "ends" else "member"}.asl at \"$it\";" }
-    project.file("few.mas2j").writeText("MAS few { infrastructure: ${Project.fleetOf(names)} agents: $agents }")
-    project.file("ends.asl").writeText("!end. +!end : .all_names(L) & .length(L, ${names.size}) <- .stopMAS(0). +!end <- .wait(100); !end.")
+    project.file(FEW).writeText(few)
+    project.file("$ENDS.asl").writeText("!end. +!end : .all_names(L) & .length(L, $agents) <- .stopMAS(0). +!end <- .wait(100); !end.")
     val archive = project.file("classes.jsa")
-    val processes = names.map { name ->
-        project.startComputer(name, if (name == names[0]) small + "-XX:ArchiveClassesAtExit=$archive" else small, "few.mas2j")
+    val processes = programs.mapIndexed { place, program ->
+        project.start(program, if (place == 0) small + "-XX:ArchiveClassesAtExit=$archive" else small)
     }
     check(processes.all { it.waitFor() == 0 }) { project.printed() }
     return small + "-XX:SharedArchiveFile=$archive"

@@ -45,8 +45,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
             .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.appendTo(file(OUT).toFile())).start().also { processes += it }
     }
 
-    fun startComputer(name: String, options: List<String> = emptyList(), mas2j: String = MAS2J): Process =
-        start(listOf("argo.fleet.MainKt", mas2j, "--at", name), options)
+    fun startComputer(name: String): Process = start(computer(name))
 
     /** Returns the numbers in each line of the file [name], which agents write. The list is empty if there is no file. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
@@ -68,7 +67,10 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     companion object {
         private const val OUT = "out.txt"
-        private const val MAS2J = "bench.mas2j"
+        const val MAS2J = "bench.mas2j"
+
+        /** Returns the program and the arguments that run the computer [name] of the project in the file [mas2j]. */
+        fun computer(name: String, mas2j: String = MAS2J): List<String> = listOf("argo.fleet.MainKt", mas2j, "--at", name)
 
         fun fleetOf(names: List<String>): String =
             "Fleet(name(bench), hosts([${names.zip(freePorts(names.size)).joinToString { (name, port) -> "$name(\"127.0.0.1:$port\")" }}]))"
