@@ -42,4 +42,4 @@ private val LIMITS = mapOf(
     StopCourse(9_600, version = 1, Firmware.FIELD, loopMs = 5) to 1_200.0,
 )
 
-private val thorough = setOf(NamedTag("Thorough"))
+internal val thorough = setOf(NamedTag("Thorough"))
