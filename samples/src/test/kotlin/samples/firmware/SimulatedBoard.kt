@@ -1,11 +1,9 @@
 package samples.firmware
 
-import javino.LineClock
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.locks.Condition
 import kotlin.concurrent.thread
 
 private val ROOT: Path = Path.of("../javino-arduino").toAbsolutePath()
@@ -58,19 +56,6 @@ internal class SimulatedBoard(program: String, kind: BoardKind = BoardKind.UNO) 
 
     /** Returns the next change of a watched pin as printed, without its time. */
     fun awaitChange(): String = awaitLine("pin ").substringBeforeLast(' ')
-
-    /** The board's clock. The clock stops while the machine is too busy to simulate the board. */
-    val clock = object : LineClock {
-        @Synchronized
-        override fun nanos(): Long {
-            command("time")
-            return (awaitLine("ok ").substringAfter(' ').toDouble() * 1e6).toLong()
-        }
-
-        override fun await(condition: Condition, nanos: Long) {
-            condition.awaitNanos(nanos)
-        }
-    }
 
     private fun command(text: String) = commands.run {
         write("$text\n")
