@@ -4,6 +4,7 @@ import javino.Frame
 import javino.FrameDecoder
 import javino.LineSettings
 import javino.PerceptsRequest
+import javino.PortGoneException
 import javino.Transport
 import javino.Transports
 import javino.sim.PseudoTerminals
@@ -30,7 +31,12 @@ internal enum class LatencyCourse(val title: String) {
     /** There is no agent. A thread writes the command as soon as it has read the frame. */
     LINE("the line without an agent") {
         override fun run(port: String, measure: () -> LongArray): LongArray = Transports.open(port, LineSettings(BAUD)).use { computer ->
-            thread(isDaemon = true, name = "partner") { answerPings(computer) }
+            thread(isDaemon = true, name = "partner") {
+                try {
+                    answerPings(computer)
+                } catch (_: PortGoneException) { // the course has closed the port
+                }
+            }
             measure()
         }
     }, ;

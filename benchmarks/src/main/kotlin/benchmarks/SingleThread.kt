@@ -30,7 +30,12 @@ class SingleThread : AgArch() {
         val left = lastNanos + INTERVAL_NANOS - System.nanoTime()
         if (left > 0) {
             if (ts.c.hasEvent() || ts.c.hasRunningIntention()) return null
-            TimeUnit.NANOSECONDS.sleep(left)
+            try {
+                TimeUnit.NANOSECONDS.sleep(left)
+            } catch (_: InterruptedException) { // Jason ends the agent
+                Thread.currentThread().interrupt()
+                return null
+            }
         }
         lastNanos = System.nanoTime()
         percepts = exchange().split(';').filter(String::isNotEmpty).map(ASSyntax::parseLiteral)
