@@ -127,10 +127,10 @@ internal class Reflexes(
     }
 
     private fun tell(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
+        ended(rule, watcher, failure) // wakes the agent, so it comes before the line, for which a crowded log may take long
         if (failure != null) warning.report("$rule ${failure.error}") {
             "the reflex ${rule.reflex} of the critical rule on ${rule.rule} has failed: ${failure.cause}"
         }
-        ended(rule, watcher, failure)
     }
 
     companion object {

@@ -256,8 +256,8 @@ internal class AgentBoards(
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
         observers.each { it.portChanged("$port", status.word, reason) }
+        waker.wake { !states.hasNews() } // before the line, since many agents wait for one log
         portLines.report("$port") { more -> log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty() + more) }
-        waker.wake { !states.hasNews() }
     }
 
     private inner class User : PortUser {

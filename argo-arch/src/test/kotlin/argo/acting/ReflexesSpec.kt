@@ -91,6 +91,15 @@ class ReflexesSpec : FunSpec({
         warnings shouldHaveSize 1
     }
 
+    test("the end of one is passed on before its failure is logged") {
+        val order = ArrayList<String>()
+        Reflexes(
+            { _, _, outcome -> outcome(Failure("port_gone", "it is gone")) }, { _, _ -> false }, { _, _, _ -> order += "ended" },
+            RateLimitedWarning({ nowMs }) { order += "logged" },
+        ).perceived(port, listOf(near))
+        order shouldBe listOf("ended", "logged")
+    }
+
     test("one that fails at once does not end sensing") {
         val reflexes = reflexes { _, _ -> throw IllegalStateException("broken") }
         reflexes.perceived(port, listOf(near))

@@ -1,6 +1,7 @@
 package argo.boards
 
 import argo.connecting.PortOptions
+import argo.connecting.PortStatus
 import argo.filters.CriticalRule
 import argo.filters.Rule
 import argo.filters.dropFilter
@@ -52,11 +53,13 @@ class BoardLineSpec : FunSpec({
     val near = CriticalRule(Rule("near"), "stop")
     val far = CriticalRule(Rule("far"))
     val lines = CopyOnWriteArrayList<String>()
+    val order = CopyOnWriteArrayList<String>()
     val log = Logger.getAnonymousLogger().apply {
         useParentHandlers = false
         addHandler(object : Handler() {
             override fun publish(record: LogRecord) {
                 if ("reports" in record.message) lines += record.message
+                if ("is timeout" in record.message) order += "line"
             }
 
             override fun flush() = Unit
@@ -67,7 +70,9 @@ class BoardLineSpec : FunSpec({
     val platform = object : Platform by Platform.system {
         override fun open(port: String, settings: LinkSettings, owner: String): BoardLink = link
     }
-    val arch = AgArch()
+    val arch = object : AgArch() {
+        override fun wakeUpSense() { order += "wake" }
+    }
     val boards = AgentBoards("bob", SensingPolicy.FRESH, 4096, platform, Waker(arch), log, ReasoningQueues()) {
         Observers(emptyList(), log) { 0 }
     }
@@ -110,5 +115,12 @@ class BoardLineSpec : FunSpec({
     test("a report by a rule that the board was never sent is told") {
         link.listener.critical(200, ReflexOutcome.NONE, "odd;", 0)
         lines.single() shouldContain "unknown percepts"
+    }
+
+    test("a port that does not answer wakes the agent before its line is logged") {
+        boards.states.beliefs() // so that nothing else is left to wake it for
+        order.clear()
+        boards.ports.report(boards.ports.all().single(), PortStatus.TIMEOUT, "no answer")
+        order.distinct() shouldBe listOf("wake", "line")
     }
 })
