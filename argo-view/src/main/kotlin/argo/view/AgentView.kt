@@ -7,6 +7,7 @@ import kotlinx.serialization.json.Json
 import java.net.URI
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
+import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
@@ -19,7 +20,7 @@ import java.util.logging.Logger
 class AgentView private constructor(
     private val agent: ObservedAgent,
     private val port: Int,
-    log: Logger,
+    private val log: Logger,
     private val record: AgentRecord,
 ) : AgentObserver by record {
     private val page = AgentPage(agent)
@@ -28,6 +29,7 @@ class AgentView private constructor(
     private val composer = StateComposer(agent, record, page.breakpoints, server.site::tabs, log)
     private val closing = CountDownLatch(1)
     private var publishedNanos: Long? = null
+    private var hasFailed = false
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
 
     /** Shows the agent's end on the pages when the whole program ends. */
@@ -65,12 +67,22 @@ class AgentView private constructor(
     private fun publish() {
         try {
             server.start()
-            while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) publishIfNew()
-            publish(isLast = true)
+            while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) guarded(::publishIfNew)
+            guarded { publish(isLast = true) }
             pages.awaitNoPage(MAX_FAREWELL_MS) // does not wait for a page that does not read
         } finally {
             ViewServers.leave(port, server, page)
             farewell.close()
+        }
+    }
+
+    /** Does [work]. If it throws, the pages miss a state, and the view goes on. Only the first exception is logged. */
+    private fun guarded(work: () -> Unit) {
+        try {
+            work()
+        } catch (broken: Throwable) { // a state has texts of the project's own terms and pictures
+            if (!hasFailed) log.log(Level.WARNING, "the live view misses a state, and further ones without a report", broken)
+            hasFailed = true
         }
     }
 

@@ -123,7 +123,7 @@ internal class StateComposer(
 
     private fun currentPicture(): Picture? = try {
         picture()
-    } catch (broken: Exception) { // code of the project makes the picture
+    } catch (broken: Throwable) { // code of the project makes the picture, and may be unfinished: TODO() throws an error
         log.log(Level.WARNING, "the live view shows no picture any more, since asking for it failed", broken)
         picture = { null }
         null

@@ -24,6 +24,7 @@ import java.net.ServerSocket
 import java.net.Socket
 import java.net.URI
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.logging.Logger
 
 private const val LOOKS = """
     !start.
@@ -466,6 +467,23 @@ class ViewSpec : FunSpec({
             address.get("events").statusCode() shouldBe 503
             watchers.forEach(Watcher::close)
             eventually(LIMIT) { address.raw("GET ${address.path}events HTTP/1.1", "Host: ${address.authority}") shouldContain "200" }
+        }
+    }
+
+    test("a state that cannot be shown is told once, and the view goes on") {
+        ViewedMas().use { mas ->
+            mas.agent("bob", "!start.\n+!start <- +ready.")
+            mas.awaitBelief("bob", "ready")
+            val bob = mas.observed("bob")
+            val calls = AtomicInteger()
+            val broken = object : ObservedAgent by bob {
+                override fun ports() = if (calls.incrementAndGet() <= 3) error("no ports today") else bob.ports()
+            }
+            AgentView(broken, 0, Logger.getLogger("argo.view.broken")).use { view ->
+                Watcher(view.address).use { watcher -> watcher.await { it.agent == "bob" && it.ports.isEmpty() } }
+            }
+            calls.get() shouldBeGreaterThan 3
+            Regex("misses a state").findAll(mas.log).count() shouldBe 1
         }
     }
 

@@ -1,6 +1,7 @@
 package argo.view
 
 import argo.Arch
+import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
@@ -73,9 +74,11 @@ internal class ViewedMas : AutoCloseable {
 
     suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) { beliefs(name) shouldContain belief }
 
-    fun agentView(name: String): AgentView =
-        generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>()
-            .flatMap { it.observers }.filterIsInstance<AgentView>().single()
+    fun agentView(name: String): AgentView = arch(name).observers.filterIsInstance<AgentView>().single()
+
+    fun observed(name: String): ObservedAgent = arch(name).observed
+
+    private fun arch(name: String) = generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().single()
 
     fun viewOf(name: String): URI {
         val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/\\S+/)").find(log)
