@@ -3,14 +3,20 @@ package argo.ros
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.PlayedBoard
+import argo.ros.bridge.Bag
+import argo.ros.bridge.Bridge
+import argo.ros.bridge.BridgeListener
+import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.PlayedBridge
 import argo.ros.bridge.operationIn
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.findCredentials
 import argo.ros.mapping.findMapping
 import javino.LineClock
 import javino.PortFaultException
 import java.nio.file.Path
+import java.util.concurrent.ForkJoinPool
 
 /** Opens `ros://host:9090`: a ROS robot behind a bridge of the rosbridge protocol, version 2. */
 open class RosLinkProvider : BoardLinkProvider {
@@ -25,7 +31,7 @@ open class RosLinkProvider : BoardLinkProvider {
     override fun play(port: String, isPaced: Boolean, clock: LineClock, recording: Path?, heard: (String, String) -> Unit): PlayedBoard {
         lateinit var bridge: PlayedBridge
         val mapping = read(port) { findMapping(RobotPort.of(port).mapping) }
-        val bag = recording?.let { RobotPort.bagIn(port, "$it") }
+        val bag = recording?.let { Bag.open(port, "$it") }
         val answering = mapping.commands.filter { it.kind != CommandRule.Kind.TOPIC }.map { it.target }.toSet()
         val link = RosLink.over(port, mapping, isPaced, clock) { listener ->
             PlayedBridge(listener, clock, bag, heard = heard).also { bridge = it }
@@ -56,5 +62,23 @@ class EncryptedRosLinkProvider : RosLinkProvider() {
 class BagLinkProvider : RosLinkProvider() {
     override val scheme: String get() = "replay"
 
-    override fun opens(port: String): Boolean = RobotPort.isBag(port)
+    override fun opens(port: String): Boolean = Bag.fileIn(port) != null
+}
+
+/** The robot or the bag that a port names. [mapping] is the name of its mapping. */
+internal class RobotPort private constructor(val mapping: String, val connect: (BridgeListener, LineClock) -> Bridge) {
+    companion object {
+        /** @throws javino.NoSuchPortException if [port] names neither a robot nor a bag */
+        fun of(port: String): RobotPort {
+            val file = Bag.fileIn(port) ?: return robot(port, RosAddress.of(port))
+            val mapping = port.removePrefix("replay:$file").removePrefix("#")
+            return RobotPort(mapping.ifEmpty { RosAddress.USUAL_MAPPING }) { listener, clock ->
+                PlayedBridge(listener, clock, Bag.open(port, file), ForkJoinPool.commonPool()) { _, _ -> }
+            }
+        }
+
+        private fun robot(port: String, address: RosAddress) = RobotPort(address.mapping) { listener, _ ->
+            BridgeSocket.connect(port, address.socket, listener, findCredentials(address.mapping))
+        }
+    }
 }

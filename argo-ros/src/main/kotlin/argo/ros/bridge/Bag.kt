@@ -8,10 +8,15 @@ import argo.mcap.RosField
 import argo.mcap.RosMessages
 import argo.mcap.RosType
 import argo.ros.mapping.rosType
+import javino.NoSuchPortException
+import javino.PortFaultException
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
@@ -79,4 +84,34 @@ internal class Bag(path: Path) : AutoCloseable {
     private fun words(texts: Collection<String>): JsonElement = JsonArray(texts.map(::JsonPrimitive))
 
     override fun close() = reader.close()
+
+    companion object {
+        private const val ENDINGS = "mcap|db3|bag|zstd"
+        private val PORT = Regex("replay:(.+\\.(?:$ENDINGS)|[^#]+)(?:#.*)?")
+        private val ENDED = Regex(".*\\.(?:$ENDINGS)")
+
+        /**
+         * Returns what stands behind `replay:` in [port], if it has an ending of recorded ROS data or is a folder. A folder, a missing file
+         * and other formats are refused only by [open]. Returns null for other ports, as for a recording of a line.
+         */
+        fun fileIn(port: String): String? =
+            PORT.matchEntire(port)?.groupValues?.get(1)?.takeIf { ENDED.matches(it) || pathOf(it)?.let(Files::isDirectory) == true }
+
+        /** @throws javino.PortException if [file] cannot be read as a bag */
+        fun open(port: String, file: String): Bag {
+            val path = pathOf(file) ?: throw NoSuchPortException(port, "there is no bag $file in ${Path.of("").toAbsolutePath()}")
+            if (Files.isDirectory(path)) throw NoSuchPortException(port, "$file is a folder; the bag is the file in it that ends in .mcap")
+            return try {
+                Bag(path)
+            } catch (unreadable: IOException) {
+                throw PortFaultException(port, "port $port cannot be opened: ${unreadable.message}", unreadable)
+            }
+        }
+
+        private fun pathOf(file: String): Path? = try {
+            Path.of(file).takeIf(Files::exists)
+        } catch (_: InvalidPathException) {
+            null
+        }
+    }
 }
