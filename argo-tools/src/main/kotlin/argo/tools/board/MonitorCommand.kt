@@ -188,19 +188,18 @@ internal class MonitorCommand : DataCommand() {
         private fun time(ms: Long) = "${Rates.seconds(ms).padStart(TIME_WIDTH)} s"
 
         private fun summary() {
-            val version = board.speaks
             val damaged = board.damaged
-            if (json) return out.println(jsonOf("summary" to summaryOf(version, damaged)))
+            if (json) return out.println(jsonOf("summary" to summaryOf(damaged)))
             out.println()
             rates.summary().forEach { out.println(printable(it)) }
             if (unanswered > 0) out.println(paint.doubtful("$unanswered requests without an answer"))
-            out.println("the board speaks $version" + if (damaged > 0) "; $damaged damaged frames were dropped" else "")
+            out.println(board.spoken + if (damaged > 0) "; $damaged damaged frames were dropped" else "")
             record?.let { out.println("recorded in $it") }
             out.flush()
         }
 
-        private fun summaryOf(version: String, damaged: Long) = jsonOf(
-            "messages" to rates.messages, "unanswered" to unanswered, "protocol" to version, "corruptFrames" to damaged,
+        private fun summaryOf(damaged: Long) = jsonOf(
+            "messages" to rates.messages, "unanswered" to unanswered, "protocol" to board.speaks, "corruptFrames" to damaged,
             "kinds" to rates.kinds().map { (kind, count, last) -> jsonOf("kind" to kind, "count" to count, "last" to last) },
         )
     }

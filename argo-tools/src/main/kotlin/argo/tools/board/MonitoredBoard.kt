@@ -11,7 +11,11 @@ internal interface MonitoredBoard {
     /** True if each message needs a request; false if the board sends messages unasked. */
     val isAsked: Boolean
 
+    /** The protocol's version, or the scheme of a port on no line. */
     val speaks: String
+
+    /** A sentence that contains [speaks]. */
+    val spoken: String get() = "the board speaks $speaks"
 
     /** The number of damaged frames, which were dropped. */
     val damaged: Long get() = 0
@@ -39,6 +43,7 @@ internal class JavinoBoard(private val link: Link, override val isAsked: Boolean
 internal class LinkedBoard(private val link: BoardLink, intervalMs: Int, private val timeoutMs: Int) : MonitoredBoard {
     override val isAsked get() = false
     override val speaks = link.port.substringBefore(':')
+    override val spoken get() = "the messages came over $speaks" // perhaps from a robot, which is no board
 
     init {
         link.wants(Wish(true, intervalMs, null))

@@ -63,7 +63,7 @@ class BoardsElsewhereSpec : FunSpec({
         said.status shouldBe 0
         said.out shouldContain "said(2)"
         said.out shouldContain "said(4)"
-        said.out shouldContain "the board speaks elsewhere"
+        said.out shouldContain "the messages came over elsewhere"
     }
     test("monitor tells once that a board which is listened to is silent, and what it waits for") {
         argo("monitor", "elsewhere:robot", "--count", "3", "--timeout", "70").err shouldBe
