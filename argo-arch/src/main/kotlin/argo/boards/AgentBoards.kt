@@ -231,7 +231,7 @@ internal class AgentBoards(
         val transmission = when {
             commands == null ->
                 ended(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone").whileLost())
-            inCycle != null -> inCycle.send(commands, text, options)
+            inCycle != null -> commands.sendNow(text, options)
             else -> commands.send(text, options)
         }
         if (issued == null) return transmission

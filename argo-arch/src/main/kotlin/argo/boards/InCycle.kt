@@ -1,8 +1,5 @@
 package argo.boards
 
-import argo.acting.CommandOptions
-import argo.acting.CommandSender
-import argo.acting.Transmission
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.sensing.Sensing
@@ -10,8 +7,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * Couples reasoning cycles and lines as the published ARGO does, see [argo.sensing.SensingPolicy.IN_CYCLE]. Once in each interval, the
- * agent's own thread asks the boards one by one, and waits for each answer. Commands are written at once. Only the agent's thread may call
- * [perceiving].
+ * agent's own thread asks the boards one by one, and waits for each answer. Only the agent's thread may call [perceiving].
  */
 internal class InCycle(private val platform: Platform, private val waker: Waker) {
     private var lastStart: Long? = null
@@ -28,6 +24,4 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         toAsk.forEach(Sensing::exchange)
         waker.wakeIn(intervalMs.toLong()) // otherwise an idle agent would not perceive again
     }
-
-    fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission = commands.sendNow(text, options)
 }

@@ -3,6 +3,7 @@ package argo.view
 import com.sun.net.httpserver.HttpExchange
 import java.io.IOException
 import java.net.URI
+import java.util.concurrent.Semaphore
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
@@ -16,7 +17,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
     val site = Site()
-    private val pageLimit = PageLimit()
+    private val freePages = Semaphore(MAX_PAGES) // of all agents
     private val isStarted = AtomicBoolean()
     private val threads = RequestThreads(name, nanos)
     private val server = localServer(port, threads, ::handle)
@@ -48,7 +49,12 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
             found.page == null -> exchange.respond(site.respond(request))
             request.path != EVENTS -> exchange.respond(found.page.routes.respond(request))
             request.method != "GET" -> exchange.respond(HttpResponse.wrongMethod("GET"))
-            !pageLimit.take { stream(exchange, found.page.states) } -> exchange.respond(FULL)
+            !freePages.tryAcquire() -> exchange.respond(FULL)
+            else -> try {
+                stream(exchange, found.page.states)
+            } finally {
+                freePages.release()
+            }
         }
     }
 
@@ -71,6 +77,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
 
     private companion object {
         const val EVENTS = "/events"
+        const val MAX_PAGES = 12
 
         val FULL = HttpResponse.message(503, "too many pages are open; close one and load this one again")
 

@@ -4,6 +4,7 @@ import argo.observing.AgentObserver
 import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
 import argo.ros.bridge.LimitedWarnings
+import javino.NoSuchPortException
 import java.util.logging.Logger
 
 /** Publishes agents with the option `argo_ros` in a ROS graph. */
@@ -20,7 +21,7 @@ class AgentRosProvider : AgentObserverProvider {
         membership = Membership(observer, topics, bridge, { log.info("$option: $it") }, warn)
         membership.start()
         observer
-    } catch (refused: RefusedAddress) {
+    } catch (refused: NoSuchPortException) {
         log.severe("$option: ${refused.message}; the agent runs without it")
         null
     }

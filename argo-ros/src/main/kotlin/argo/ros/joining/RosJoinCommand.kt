@@ -7,6 +7,7 @@ import argo.tools.board.LineOptions
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolProvider
 import argo.tools.command.requireWithin
+import javino.NoSuchPortException
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Option
@@ -52,7 +53,7 @@ internal class RosJoinCommand : ToolCommand() {
         ports.groupBy { it.first }.values.find { it.size > 1 }?.let { misuse("two boards are called ${it[0].first}; write NAME=PORT") }
         val bridge = try {
             BridgeAddress.of(at)
-        } catch (refused: RefusedAddress) {
+        } catch (refused: NoSuchPortException) {
             misuse("--at: ${refused.message}")
         }
         val joined = ports.map { (name, port) -> join(name, port, bridge) }

@@ -51,6 +51,14 @@ private fun text(source: String, read: () -> String): String = try {
 }
 
 /**
+ * The credentials of a client for a bridge, or for a server in front of it.
+ *
+ * @property token sent as `Authorization: Bearer …`, or null if there is none
+ * @property secret the secret for the parameter `authenticate` of `rosbridge_server` in ROS 1, or null if there is none
+ */
+internal class Credentials(val token: String? = null, val secret: String? = null)
+
+/**
  * Reads the credentials for the bridge of the mapping [name] from the files `NAME.ros.token` and `NAME.ros.secret` in [directory].
  *
  * @throws MappingException if one of these files cannot be read, or holds no token or secret
