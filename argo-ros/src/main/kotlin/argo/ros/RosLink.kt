@@ -11,7 +11,6 @@ import argo.ros.bridge.Commands
 import argo.ros.bridge.FrameTree
 import argo.ros.bridge.LimitedWarnings
 import argo.ros.bridge.NeverSent
-import argo.ros.bridge.OperationListener
 import argo.ros.bridge.Outgoing
 import argo.ros.bridge.RobotGraph
 import argo.ros.bridge.RobotTime
@@ -91,7 +90,7 @@ internal class RosLink private constructor(
     override val mayVanish get() = true
     override val actions: List<BoardAction> = mapping.commands.map { BoardAction(it.name, it.parameters.size) }
 
-    private inner class Listener : OperationListener(warn) {
+    private inner class Listener : BridgeListener(warn) {
         override fun hear(operation: JsonObject): Boolean {
             val now = clock.nanos()
             if (commands.heard(operation) || api.heard(operation, now)) return true

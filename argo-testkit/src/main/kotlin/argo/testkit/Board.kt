@@ -390,6 +390,9 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 }
 
+/** A [command] that arrived at a board. [at] is the virtual time since the start of the test. */
+data class Arrival(val command: String, val at: Duration)
+
 private const val HIGHEST_BYTE = 0xFF
 
 /** Refuses a malformed percept. The agent would ignore it, and a later `shouldNotSend` would then pass for the wrong reason. */

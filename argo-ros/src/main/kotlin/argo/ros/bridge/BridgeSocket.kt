@@ -25,32 +25,15 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Receives a bridge's messages on a thread of the HTTP client. No function may block. */
-internal interface BridgeListener {
-    fun text(message: String)
-
-    /** The bridge is alive, as any message or pong shows. */
-    fun isAlive()
-
-    /** The bridge has answered a [Bridge.ping]. The bridge has therefore read everything that was sent before the ping. */
-    fun answered() = isAlive()
-
-    /** A message was dropped unread; [what] describes it. */
-    fun dropped(what: String)
-
-    /** Takes a [sentence] for the user about the bag that is played. [isTrouble] is true if a part of the bag is left out. */
-    fun told(sentence: String, isTrouble: Boolean) = Unit
-
-    /** The connection has ended, for [reason]. May be called more than once. */
-    fun gone(reason: String)
-}
-
-/** Reads a bridge's operations in their order. [warn] takes unreadable messages and the bridge's complaints, each text once. */
-internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
+/**
+ * Receives a bridge's messages on a thread of the HTTP client, and reads its operations in their order. No function may block. [warn] takes
+ * unreadable messages and the bridge's complaints, each text once.
+ */
+internal abstract class BridgeListener(private val warn: (String) -> Unit) {
     /** Handles [operation]; returns false if this class does not know the operation. */
     protected abstract fun hear(operation: JsonObject): Boolean
 
-    override fun text(message: String) {
+    fun text(message: String) {
         val operation = operationIn(message)
             ?: return warn("the bridge sends a text that is no operation of the rosbridge protocol: \"${message.take(QUOTED)}\"")
         if (hear(operation)) return
@@ -59,7 +42,20 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
         else if (operation.text("level") in TROUBLE) warn("the bridge reports: ${operation.text("msg")}")
     }
 
-    override fun dropped(what: String) = warn("the bridge sends $what; it is not read")
+    /** The bridge is alive, as any message or pong shows. */
+    abstract fun isAlive()
+
+    /** The bridge has answered a [Bridge.ping]. The bridge has therefore read everything that was sent before the ping. */
+    open fun answered() = isAlive()
+
+    /** A message was dropped unread; [what] describes it. */
+    fun dropped(what: String) = warn("the bridge sends $what; it is not read")
+
+    /** Takes a [sentence] for the user about the bag that is played. [isTrouble] is true if a part of the bag is left out. */
+    open fun told(sentence: String, isTrouble: Boolean) = Unit
+
+    /** The connection has ended, for [reason]. May be called more than once. */
+    abstract fun gone(reason: String)
 
     private companion object {
         val TROUBLE = setOf("error", "warning")

@@ -4,8 +4,8 @@ import argo.observing.Farewell
 import argo.platform.ThinnedLog
 import argo.platform.foreignText
 import argo.ros.bridge.Bridge
+import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
-import argo.ros.bridge.OperationListener
 import argo.ros.bridge.Outgoing
 import argo.ros.bridge.RosApi
 import argo.ros.bridge.operation
@@ -106,7 +106,7 @@ internal class Membership(
         news.release()
     }
 
-    private inner class Connection : OperationListener(warn) {
+    private inner class Connection : BridgeListener(warn) {
         lateinit var bridge: Bridge
         private val api = RosApi(clock, ::send)
         private val advertised = AdvertisedServices(participant, ::answer, warn)
