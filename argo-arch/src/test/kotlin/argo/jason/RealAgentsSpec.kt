@@ -43,19 +43,6 @@ class RealAgentsSpec : FunSpec({
         }
     }
 
-    test("an agent that is killed while its board is silent and a command waits leaves nothing") {
-        FakeBoard.plugIn("robot").lenient().use { board ->
-            board.stall()
-            LocalMas().use { mas ->
-                mas.agent("bob", "!start.\n+!start <- argo.port(\"sim:robot\"); argo.percepts(open); argo.act(front).")
-                eventually(LIMIT) { Link.ownerOf("sim:robot").isPresent shouldBe true }
-                mas.kill("bob")
-                eventually(LIMIT) { agentThreads().shouldBeEmpty() }
-                Link.ownerOf("sim:robot").isPresent shouldBe false
-            }
-        }
-    }
-
     test("a port belongs to one agent, and a second one is told whose it is") {
         FakeBoard.plugIn("robot").lenient().use { board ->
             LocalMas().use { mas ->

@@ -60,19 +60,6 @@ class RosAgentSpec : FunSpec({
         }
     }
 
-    test("a bridge that does not show that it is there makes its port time out, until it does") {
-        TestBridge().use { bridge ->
-            val program = """!start. +!start <- argo.port("${bridge.port}", [timeout(100)]); argo.percepts(open)."""
-            Mas(program).use { mas ->
-                mas.awaitBelief("port(\"${bridge.port}\",on)")
-                bridge.answersPings = false
-                mas.awaitBelief("port(\"${bridge.port}\",timeout)")
-                bridge.answersPings = true
-                mas.awaitBelief("port(\"${bridge.port}\",on)")
-            }
-        }
-    }
-
     test("a bridge that is killed and restarted ten times is back each time, with no command twice and nothing left behind") {
         var bridge = TestBridge()
         val number = bridge.number

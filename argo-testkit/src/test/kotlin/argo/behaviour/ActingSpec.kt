@@ -163,14 +163,18 @@ class ActingSpec : FunSpec({
         }
     }
 
-    test("waiting commands fail when the cable is pulled, and the agent goes on") {
+    test("a command that the board's vocabulary does not hold fails its plan and does not go out") {
         agentOf("""
             !start.
-            +!start <- argo.port(ttyACM0, [baud(300), protocol(1), boot(0)]); argo.act(first); argo.act(second_that_takes_its_time); .print(sent).
-            -!start[error(E)] <- .print("failed with ", E).
-        """).use { bob ->
-            bob.shouldSend("first").after(100.milliseconds).board.disconnects()
-            bob.shouldPrint("failed with port_gone").printed shouldBe listOf("failed with port_gone")
+            +!start <- argo.port(ttyACM0).
+            +!do(W) <- argo.act(W); .print(done(W)).
+            -!do(W)[error(E)] <- .print(failed(W,E)).
+        """) { board.version2().knows("ledOn", "speed/1") }.use { bob ->
+            bob.hears("user", "achieve", "do(ledOn)").shouldPrint("done(ledOn)").after(1.seconds) // the board has described itself by then
+            for (command in listOf("fly", "speed")) {
+                bob.hears("user", "achieve", "do($command)").shouldPrint("failed($command,act_refused)")
+            }
+            bob.hears("user", "achieve", "do(speed(3))").shouldPrint("done(speed(3))").board.commands shouldBe listOf("ledOn", "speed(3)")
         }
     }
 

@@ -3,7 +3,6 @@ package argo.behaviour
 import argo.testkit.agentOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.string.shouldContain
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
@@ -85,16 +84,6 @@ class StaleSpec : FunSpec({
         """).use { bob ->
             bob.perceives("dist(f,3)").after(100.milliseconds).board.hangs()
             bob.shouldNotBelieve("stale(_)", during = 480.milliseconds).shouldBelieve("stale(ttyACM0)", within = 50.milliseconds)
-        }
-    }
-
-    test("a board cannot claim it") {
-        agentOf("""
-            !start.
-            +!start <- argo.port(ttyACM0, [boot(0)]); argo.limit(5); argo.percepts(open).
-            +dist(f,3) : not stale(_) <- argo.act(ok).
-        """).use { bob ->
-            bob.perceivesRaw("stale(ttyACM0);dist(f,3);").shouldSend("ok").log.joinToString("\n") shouldContain "stale/1"
         }
     }
 })

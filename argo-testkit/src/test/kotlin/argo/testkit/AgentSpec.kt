@@ -161,18 +161,6 @@ class AgentSpec : FunSpec({
         }
     }
 
-    test("a board that hangs, and one that is unplugged, are what the agent believes of its port") {
-        agent("robot.asl").use { robot ->
-            robot.perceives("dist(front,90)").shouldBelieve("port(ttyACM0,on)")
-            robot.board.hangs()
-            robot.shouldBelieve("port(ttyACM0,timeout)", within = 2.seconds).shouldBelieve("dist(front,90)")
-            robot.board.recovers()
-            robot.shouldBelieve("port(ttyACM0,on)", within = 2.seconds)
-            robot.board.disconnects()
-            robot.shouldBelieve("port(ttyACM0,off)", within = 2.seconds).shouldPrint("port ttyACM0 is off")
-        }
-    }
-
     test("a port that is missing, held by another or forbidden fails the plan, and opens when that is over") {
         val program = """
             !start.
@@ -191,7 +179,7 @@ class AgentSpec : FunSpec({
         }
     }
 
-    test("a board of version 2 refuses, and one that hangs leaves an action unconfirmed") {
+    test("a board of version 2 refuses what it is not told to accept, and one that hangs leaves an action unconfirmed") {
         agentOf("""
             +!try(W) <- argo.port(ttyACM0, [protocol(2)]); argo.act(W); .print(done(W)).
             -!try(W)[error(E)] <- .print(E, " ", W).
@@ -199,6 +187,10 @@ class AgentSpec : FunSpec({
             robot.hears("test", "achieve", "try(drive)").shouldPrint("done(drive)", within = 10.seconds)
             robot.hears("test", "achieve", "try(fly)").shouldPrint("act_refused fly", within = 10.seconds)
             robot.hears("test", "achieve", "try(swim(3))").shouldPrint("act_refused swim(3)", within = 10.seconds)
+            robot.board.accepts("fly").accepts("swim(3)")
+            robot.hears("test", "achieve", "try(fly)").shouldPrint("done(fly)")
+            robot.hears("test", "achieve", "try(swim(3))").shouldPrint("done(swim(3))")
+            robot.hears("test", "achieve", "try(swim(4))").shouldPrint("act_refused swim(4)")
             robot.board.hangs()
             robot.hears("test", "achieve", "try(drive)").shouldPrint("act_unconfirmed drive", within = 20.seconds)
         }
@@ -231,19 +223,6 @@ class AgentSpec : FunSpec({
         }
         shouldThrow<IllegalArgumentException> { agent("robot.asl") { board.replays(LineRecording(emptyList())) } }.message shouldContain
             "nothing"
-    }
-
-    test("an agent has a board on each of its ports") {
-        agentOf("""
-            !start.
-            +!start <- argo.percepts(open); argo.port(left); .wait({+ready(1)}); argo.port(right); .wait({+ready(2)}); argo.act(both).
-        """) { board("left"); board("right") }.use { robot ->
-            robot.board("left").shows("ready(1)")
-            robot.board("right").shows("ready(2)")
-            robot.shouldSend("both", within = 5.seconds)
-            robot.board("left").commands.shouldBeEmpty()
-            robot.board("right").commands shouldBe listOf("both")
-        }
     }
 
     test("what others say is heard, and what the agent says is kept; messages to agents outside of the test are told") {

@@ -126,6 +126,12 @@ class StrangeTestsSpec : FunSpec({
         }.close()
     }
 
+    test("a line carries no character of more than a byte") {
+        agentOf("x.").use { agent ->
+            shouldThrow<IllegalArgumentException> { agent.board.disturbs("\u2603") }.message shouldContain "one byte"
+        }
+    }
+
     test("a time without end is refused") {
         agentOf("x.").use { agent ->
             agent.after(1.seconds)

@@ -109,23 +109,6 @@ class ViewSpec : FunSpec({
         }
     }
 
-    test("a command that the line cannot take yet is on the line, and the next one waits") {
-        val program = """
-            !start.
-            +!start <- argo.port("sim:robot", [boot(600000)]); !!a; !!b.
-            +!a <- argo.act(one).
-            +!b <- argo.act(two).
-        """
-        watched(program) { _, board, address ->
-            board.stall()
-            Watcher(address).use { watcher ->
-                val state = watcher.await { state -> state.commands.unfinished.map { it.state } == listOf("line", "waiting") }
-                state.commands.waiting shouldBe 2
-            }
-            board.resume()
-        }
-    }
-
     test("the filter is changed by name, to none and back, and the agent follows") {
         watched { mas, _, address ->
             Watcher(address).use { watcher ->
@@ -187,15 +170,6 @@ class ViewSpec : FunSpec({
             address.get("explain?percept=%22").body() shouldContain "not a percept"
             address.raw("GET /explain?percept=%zz HTTP/1.1", "Host: ${address.authority}") shouldContain "400"
             address.get("explain").statusCode() shouldBe 400
-        }
-    }
-
-    test("a percept that holds markup is told as the text it is, in one line") {
-        watched(answer = """say("<img src=x onerror=alert(1)>");'</script>'(1);""") { _, _, address ->
-            Watcher(address).use { watcher ->
-                val percepts = watcher.await { it.sensors.percepts.size == 2 }.sensors.percepts
-                percepts.map { it.text } shouldBe listOf("""say("<img src=x onerror=alert(1)>")""", "'</script>'(1)")
-            }
         }
     }
 
@@ -303,30 +277,20 @@ class ViewSpec : FunSpec({
         }
     }
 
-    test("other pages, and who does not send JSON, cannot order the agent to do anything") {
-        watched { mas, _, address ->
-            listOf("believe", "forget", "begin", "drop", "reload", "pause", "go", "step", "until", "breakpoint").forEach { path ->
-                val order = """{"text":"likes(milk)"}"""
+    test("other pages, and who does not send JSON, cannot order the agent to do anything, nor send a command") {
+        watched { mas, board, address ->
+            val orders = listOf("believe", "forget", "begin", "drop", "reload", "pause", "go", "step", "until", "breakpoint")
+            (orders.map { it to """{"text":"likes(milk)"}""" } + ("command" to """{"command":"stop"}""")).forEach { (path, order) ->
                 address.post(path, order, "Origin" to "http://robot.example").statusCode() shouldBe 403
+                address.post(path, order, "Origin" to "null").statusCode() shouldBe 403
                 address.post(path, order, "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
+                address.post(path, order, "Sec-Fetch-Site" to "same-site").statusCode() shouldBe 403
                 address.post(path, order, "Content-Type" to "text/plain").statusCode() shouldBe 415
             }
             address.post("believe", """{"text":"last"}""").statusCode() shouldBe 200
+            address.post("command", """{"command":"last"}""").statusCode() shouldBe 200
             mas.beliefs("bob") shouldContain "last"
             mas.beliefs("bob") shouldNotContain "likes(milk)"
-        }
-    }
-
-    test("other pages, and who does not send JSON, cannot have a command sent") {
-        watched { _, board, address ->
-            val stop = """{"command":"stop"}"""
-            address.post("command", stop, "Origin" to "http://robot.example").statusCode() shouldBe 403
-            address.post("command", stop, "Origin" to "null").statusCode() shouldBe 403
-            address.post("command", stop, "Sec-Fetch-Site" to "same-site").statusCode() shouldBe 403
-            address.post("command", stop, "Content-Type" to "text/plain").statusCode() shouldBe 415
-            val head = arrayOf("Content-Type: application/json", "Content-Length: ${stop.length}", "", stop)
-            address.raw("POST ${address.path}command HTTP/1.1", "Host: robot.example", *head) shouldContain "403"
-            address.post("command", """{"command":"last"}""").statusCode() shouldBe 200
             board.received() shouldNotContain "stop"
         }
     }
