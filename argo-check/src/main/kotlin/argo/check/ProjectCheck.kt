@@ -1,6 +1,7 @@
 package argo.check
 
 import argo.check.findings.Finding
+import argo.check.findings.ignoredLines
 import argo.check.project.AgentProgram
 import argo.check.project.Project
 import argo.check.rules.ActionRules
@@ -40,7 +41,8 @@ class ProjectCheck(private val project: Project) {
         val report = Report(program::place)
         val scene = Scene(facts, program)
         RULES.forEach { it.check(scene, report) }
-        return report.findings.filterNot { program.isIgnored(it.place.begin.line) }.distinct().sortedBy { it.place.begin }
+        val ignored = ignoredLines(program.program)
+        return report.findings.filterNot { it.place.begin.line in ignored }.distinct().sortedBy { it.place.begin }
     }
 
     private companion object {

@@ -7,7 +7,6 @@ import argo.check.syntax.Plan
 import argo.check.syntax.Program
 import argo.check.syntax.Span
 import argo.check.syntax.StringTerm
-import argo.check.syntax.TokenKind
 import argo.check.syntax.Unread
 import argo.check.syntax.programOf
 import java.nio.file.Path
@@ -53,28 +52,15 @@ class AgentProgram(val path: Path, text: String) {
 
     /** The goals and beliefs, with their arities, that comments list: `argo: others may send goal/2, belief/1`. */
     val sentByOthers: Set<String> by lazy {
-        val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
+        val lists = program.comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
-    }
-
-    /** Returns true if a comment suppresses findings in [line]. The comment is in that line, or alone in the line above. */
-    fun isIgnored(line: Int): Boolean = line in ignoredLines
-
-    private val ignoredLines: Set<Int> by lazy {
-        comments().filter { (_, text) -> IGNORE.containsMatchIn(text) }.flatMap { (line, text) ->
-            if (program.lines.text(line).trim() == text.trim()) listOf(line, line + 1) else listOf(line)
-        }.toSet()
     }
 
     fun place(span: Span): Place = Place(path, program.lines.position(span.start), program.lines.position(span.end))
 
     private fun directives(name: String) = program.nodes().filterIsInstance<Directive>().filter { it.call?.functor == name }.toList()
 
-    private fun comments() =
-        program.tokens.filter { it.kind == TokenKind.COMMENT }.map { program.lines.position(it.span.start).line to it.text }
-
     private companion object {
-        val IGNORE = Regex("\\bargo: *ignore\\b")
         val OTHERS = Regex("\\bargo: *others may send (.*)")
         val WORD = Regex("[a-z]\\w*(/\\d+)?")
     }

@@ -25,6 +25,10 @@ class Program internal constructor(
         return listOfNotNull(tokens.getOrNull(next), tokens.getOrNull(next - 1)).firstOrNull { it.span.touches(offset) }
     }
 
+    /** Returns the comments, each with the line in which it begins. */
+    internal fun comments(): List<Pair<Int, String>> =
+        tokens.filter { it.kind == TokenKind.COMMENT }.map { lines.position(it.span.start).line to it.text }
+
     /** Returns all nodes, each before its children. */
     fun nodes(): Sequence<Node> = components.asSequence().flatMap { it.withDescendants() }
 }
