@@ -18,7 +18,7 @@ import argo.check.syntax.Variable
  * An argument of a literal.
  *
  * @property sign a word that identifies equal arguments, such as a variable's name, or null if there is none
- * @property kind the argument's kind, such as `number`, or null if it is not known
+ * @property kind the argument's kind, such as `a number`, or null if it is not known
  */
 internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     val isVariable: Boolean = term is Variable
@@ -47,11 +47,11 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     val stem: String? = (term as? Literal)?.takeIf { it.arity == 0 }?.let { NUMBERED.matchEntire(it.functor) }?.groupValues?.get(1)
 
     private fun kindOf(term: Term): String? = when (term) {
-        is Literal -> if (term.isInternal) null else if (term.arity == 0) "atom" else term.indicator
-        is NumberTerm, is Operation, is Prefixed -> "number"
-        is StringTerm -> "string"
-        is ListTerm -> "list"
-        is Block -> "block"
+        is Literal -> if (term.isInternal) null else if (term.arity == 0) "an atom" else term.indicator
+        is NumberTerm, is Operation, is Prefixed -> "a number"
+        is StringTerm -> "a string"
+        is ListTerm -> "a list"
+        is Block -> "a block"
         else -> null
     }
 
@@ -133,13 +133,9 @@ internal class Arguments(programs: Collection<AgentProgram>) {
     }
 
     private fun kindsIn(component: Component): Map<String, String> =
-        KindOfUse.within(component).filter { it.kind in WORDS }.groupBy({ it.variable }, { it.kind })
-            .mapNotNull { (name, kinds) -> kinds.distinct().singleOrNull()?.let { name to WORDS.getValue(it) } }.toMap()
+        KindOfUse.within(component).filter { it.kind != KindOfUse.EITHER }.groupBy({ it.variable }, { it.kind })
+            .mapNotNull { (name, kinds) -> kinds.distinct().singleOrNull()?.let { name to InternalAction.WORDS.getValue(it) } }.toMap()
 
     private fun isOpen(mention: Mention) =
         mention.arity >= 2 && mention.functor !in InternalAction.ALL && mention.functor != GoalRules.SYMMETRIC
-
-    private companion object {
-        val WORDS = mapOf('l' to "list", 'n' to "number", 's' to "string", 'a' to "atom")
-    }
 }

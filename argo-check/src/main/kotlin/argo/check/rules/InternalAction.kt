@@ -8,8 +8,7 @@ val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 /**
  * An internal action and its arguments.
  *
- * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
- * term in braces, `p` a performative, `v` a variable, `a` an atom, `b` begin or end, `d` no formula, `_` anything
+ * @property kinds the kinds of its first arguments: a key of [WORDS], `p` for a performative, or `_` for anything
  * @property inputs the indices, counted from 0, of the arguments that must have a value
  */
 internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val inputs: Set<Int>, val since: String?) {
@@ -21,6 +20,12 @@ internal class InternalAction(val name: String, val arities: IntRange, val kinds
     }
 
     companion object {
+        /** The words for [kinds]. */
+        val WORDS = mapOf(
+            'f' to "a formula", 'l' to "a list", 'n' to "a number", 's' to "a string", 'e' to "a list or a string", 'v' to "a variable",
+            'a' to "an atom", 'b' to "begin or end", 'd' to "a term, no formula", 't' to "a term in braces",
+        )
+
         val ALL: Map<String, InternalAction> by lazy {
             val text = InternalAction::class.java.getResource("internal-actions.txt")!!.readText()
             text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map(::parse).associateBy { it.name }

@@ -80,7 +80,7 @@ internal object InternalActionRules : Rule {
             if (kind == 'p') performative(call, index, argument, report) else if (!mayBe(kind, argument)) {
                 report.error(
                     "internal-action-arguments", argument.span,
-                    "argument ${index + 1} of ${call.functor} is ${word(kind)}, not ${textOf(argument, scene)}",
+                    "argument ${index + 1} of ${call.functor} is ${InternalAction.WORDS[kind]}, not ${textOf(argument, scene)}",
                     "the plan fails there", "correct the arguments, or their order",
                 )
             }
@@ -176,19 +176,6 @@ internal object InternalActionRules : Rule {
     private fun isAtom(term: Term) = term is Literal && term.arity == 0 && !term.isInternal
 
     private fun isStructure(term: Term) = term is Literal && term.arity > 0 && !term.isInternal
-
-    private fun word(kind: Char) = when (kind) {
-        'l' -> "a list"
-        'n' -> "a number"
-        's' -> "a string"
-        'e' -> "a list or a string"
-        'v' -> "a variable"
-        'd' -> "a term, no formula"
-        'a' -> "an atom"
-        'b' -> "begin or end"
-        'f' -> "a formula"
-        else -> "a term in braces"
-    }
 
     private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
 

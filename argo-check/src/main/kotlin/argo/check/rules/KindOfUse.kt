@@ -13,16 +13,17 @@ import argo.check.syntax.withDescendants
 /**
  * A use that requires a variable to be of a certain kind.
  *
- * @property kind one of [InternalAction.kinds]: `l` a list, `n` a number, `s` a string, `e` a list or a string, `a` an atom
+ * @property kind one of [InternalAction.WORDS]: [LIST], [NUMBER], [STRING], [ATOM] or [EITHER]
  * @property call the internal action with the variable as argument, or null for another use
  */
 internal class KindOfUse(val variable: String, val kind: Char, val term: Term, val call: Literal?) {
     companion object {
-        private const val LIST = 'l'
-        private const val NUMBER = 'n'
-        private const val STRING = 's'
-        private const val ATOM = 'a'
-        private val KINDS = setOf(LIST, NUMBER, STRING, ATOM, 'e')
+        const val LIST = 'l'
+        const val NUMBER = 'n'
+        const val STRING = 's'
+        const val ATOM = 'a'
+        const val EITHER = 'e'
+        private val KINDS = setOf(LIST, NUMBER, STRING, ATOM, EITHER)
 
         fun within(component: Node): Sequence<KindOfUse> = component.withDescendants().flatMap(::at)
 

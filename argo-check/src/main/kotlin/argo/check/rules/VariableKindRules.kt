@@ -1,5 +1,9 @@
 package argo.check.rules
 
+import argo.check.rules.KindOfUse.Companion.EITHER
+import argo.check.rules.KindOfUse.Companion.LIST
+import argo.check.rules.KindOfUse.Companion.NUMBER
+import argo.check.rules.KindOfUse.Companion.STRING
 import argo.check.syntax.ListTerm
 import argo.check.syntax.Literal
 import argo.check.syntax.Variable
@@ -8,7 +12,7 @@ import argo.check.syntax.withDescendants
 /** Finds variables that a plan uses as terms of two kinds, for example as a list and as a number. */
 internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
-        val uses = KindOfUse.within(component).filter { it.kind in WORDS }.toList().groupBy { it.variable }
+        val uses = KindOfUse.within(component).filter { it.kind in KINDS }.toList().groupBy { it.variable }
         uses.values.forEach { same -> same.filter { it.call != null }.forEach { contradiction(it, same, report) } }
         val lists = uses.filterValues { same -> same.any { it.kind == LIST && it.call == null } }.keys
         component.withDescendants().filterIsInstance<Literal>().filter { it.indicator == ".member/2" }.forEach { member(it, lists, report) }
@@ -31,16 +35,13 @@ internal object VariableKindRules : Rule {
         val other = others.singleOrNull() ?: return
         if (other == use.kind || use.kind == EITHER && other != NUMBER || use.kind == NUMBER && other == STRING || use.kind == STRING &&
             other == NUMBER) return
+        val (here, elsewhere) = listOf(use.kind, other).map(InternalAction.WORDS::getValue)
         report.warning(
             "internal-action-arguments", use.term.span,
-            "${use.variable} is ${WORDS[other]} elsewhere in this plan, and this argument of ${use.call?.name} is ${WORDS[use.kind]}",
+            "${use.variable} is $elsewhere elsewhere in this plan, and this argument of ${use.call?.name} is $here",
             "the plan fails there", "correct the arguments, or their order",
         )
     }
 
-    private const val LIST = 'l'
-    private const val NUMBER = 'n'
-    private const val STRING = 's'
-    private const val EITHER = 'e'
-    private val WORDS = mapOf(LIST to "a list", NUMBER to "a number", STRING to "a string", EITHER to "a list or a string")
+    private val KINDS = setOf(LIST, NUMBER, STRING, EITHER)
 }
