@@ -12,7 +12,6 @@ import argo.check.rules.Facts
 import argo.check.rules.FilterRules
 import argo.check.rules.GoalRules
 import argo.check.rules.InternalActionRules
-import argo.check.rules.PerceptFileRules
 import argo.check.rules.PlanOrderRules
 import argo.check.rules.ProjectFileRules
 import argo.check.rules.Report
@@ -34,7 +33,7 @@ class ProjectCheck(private val project: Project) {
 
     /** Returns the findings in project files, filters and percept files. */
     fun findingsInFiles(): List<Finding> =
-        ProjectFileRules.check(project) + FilterRules.check(project) + PerceptFileRules.check(project)
+        ProjectFileRules.check(project) + FilterRules.check(project) + ProjectFileRules.left(project)
 
     /** Returns the findings in [program] in the order of its text. [program] must belong to the project. */
     fun findingsIn(program: AgentProgram): List<Finding> {

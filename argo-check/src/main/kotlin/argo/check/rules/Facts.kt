@@ -4,6 +4,7 @@ import argo.check.project.Mention
 import argo.check.project.Project
 import argo.check.project.Role
 import argo.check.syntax.Token
+import argo.check.syntax.clauses
 
 /** Facts about all programs of [project], computed once for all checks. Not safe for use by several threads at once. */
 internal class Facts(val project: Project) {

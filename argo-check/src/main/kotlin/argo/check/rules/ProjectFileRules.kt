@@ -1,12 +1,15 @@
 package argo.check.rules
 
 import argo.check.findings.Finding
+import argo.check.findings.Level
+import argo.check.findings.Place
 import argo.check.project.AgentOption
 import argo.check.project.MasAgent
 import argo.check.project.MasFile
 import argo.check.project.Project
 import argo.check.project.ProjectFile
 import argo.check.project.Role
+import argo.check.syntax.Position
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
@@ -16,6 +19,14 @@ internal object ProjectFileRules {
     private val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
 
     fun check(project: Project): List<Finding> = project.projectFiles.flatMap { check(project, it) }
+
+    /** Returns the lines of percept files, and the files of the project, that are left out. */
+    fun left(project: Project): List<Finding> = project.robot.unreadable.filter { it.file in project.perceptFiles }.map {
+        Finding("percepts-file", Level.ERROR, it.file.place(it.span), it.reason, "this line is left out", "correct it")
+    } + project.leftOut.map { (file, why) ->
+        Finding("left-out", Level.WARNING, Place(file, Position(1, 1), Position(1, 1)), "this is not checked: $why",
+            "its names are not known", "make it a readable file, or smaller")
+    }
 
     private fun check(project: Project, file: ProjectFile): List<Finding> {
         val report = Report(file::place)

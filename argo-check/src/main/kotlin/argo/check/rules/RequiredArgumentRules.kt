@@ -4,6 +4,7 @@ import argo.check.project.Mention
 import argo.check.project.Role
 import argo.check.syntax.Component
 import argo.check.syntax.Variable
+import argo.check.syntax.clauses
 import argo.check.syntax.withDescendants
 
 /** Finds variables without a value in arguments of goals or rules that need a value: see [RequiredArguments]. */

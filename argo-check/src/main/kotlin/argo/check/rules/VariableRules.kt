@@ -6,6 +6,7 @@ import argo.check.syntax.Literal
 import argo.check.syntax.Node
 import argo.check.syntax.Term
 import argo.check.syntax.Variable
+import argo.check.syntax.clauses
 import argo.check.syntax.withDescendants
 
 /** Finds variables that a plan or rule mentions only once, and variables that an internal action reads before they have a value. */

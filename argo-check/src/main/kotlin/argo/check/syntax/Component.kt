@@ -8,6 +8,13 @@ class Directive(override val span: Span, val call: Literal?, val components: Lis
     override val children: List<Node> get() = listOfNotNull(call) + components.orEmpty()
 }
 
+/** Returns the plans, beliefs and rules in [component]. Each has its own variable scope. */
+internal fun clauses(component: Component): List<Component> = when (component) {
+    is Directive -> component.components.orEmpty().flatMap(::clauses)
+    is Plan, is Belief -> listOf(component)
+    else -> emptyList()
+}
+
 /** A belief, or a rule if it has a [condition]. */
 class Belief(override val span: Span, val head: Term, val condition: Term?) : Component {
     override val children: List<Node> get() = listOfNotNull(head, condition)
