@@ -1,12 +1,9 @@
 package argo.check.rules
 
-/** Finds the one of [names] that a person may have meant. Make one instance for many questions, since it builds an index. */
+/** Finds the one of [names] that a person may have meant. Make one instance for many questions, since it sorts the names. */
 internal class SimilarNames(names: Collection<String>) {
-    /** The names by each of their parts. A slip leaves at least one part unchanged, and moves it by at most one letter. */
-    private val byPart: Map<Part, List<Name>> by lazy {
-        names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
-            .flatMap { name -> partsOf(name.text.length).map { Part(name.text.length, it.first, name.text.substring(it)) to name } }
-            .groupBy({ it.first }, { it.second })
+    private val byLength: Map<Int, List<Name>> by lazy {
+        names.toSet().filter { it.length > MIN_LENGTH }.map(::Name).groupBy { it.text.length }
     }
 
     /**
@@ -16,27 +13,10 @@ internal class SimilarNames(names: Collection<String>) {
      */
     fun near(written: String): String? {
         val name = Name(written)
-        return (maxOf(written.length - 1, MIN_LENGTH + 1)..written.length + 1).flatMap { candidates(written, it) }.toSet()
+        return (written.length - 1..written.length + 1).asSequence().flatMap { byLength[it].orEmpty() }
             .filter { name.isLike(it) && isNear(written, it.text) }
             .map { it.text }.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
     }
-
-    /** Returns each name that has [length] letters and shares a part with [written]. */
-    private fun candidates(written: String, length: Int): List<Name> = partsOf(length).flatMap { part ->
-        (part.first - 1..part.first + 1).flatMap { from ->
-            val end = from + part.last + 1 - part.first
-            if (from < 0 || end > written.length) emptyList() else byPart[Part(length, part.first, written.substring(from, end))].orEmpty()
-        }
-    }
-
-    /** Divides a name into enough parts that typing errors leave one part unchanged. One error may change two parts. */
-    private fun partsOf(length: Int): List<IntRange> {
-        val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
-        return (0 until number).map { it * length / number until (it + 1) * length / number }
-    }
-
-    /** The part [text] at index [start] in a name of [length] letters. */
-    private data class Part(val length: Int, val start: Int, val text: String)
 
     /** A name and its set of letters. The set quickly excludes most other names. */
     private class Name(val text: String) {
