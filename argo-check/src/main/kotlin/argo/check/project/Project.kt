@@ -1,6 +1,7 @@
 package argo.check.project
 
 import java.nio.file.Path
+import kotlin.io.path.extension
 
 /**
  * The files of a multi-agent system, and the known percepts and actions of its robot.
@@ -29,12 +30,19 @@ data class Project(
 
     private val included: Map<Path, List<Path?>> = programs.mapValues { (path, program) -> program.includes.map { resolve(path, it) } }
 
-    /** Returns a copy of this project in which the program [path] has the text [text]. An editor uses it for unsaved changes. */
-    fun with(path: Path, text: String): Project =
-        copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
+    /**
+     * Returns this project with the text [text] in the file at the absolute [path], a program, a `.mas2j`, or an XML or JSON file, which
+     * need not be a filter. An editor uses it for unsaved changes. If the project already has this text, returns the project itself.
+     */
+    fun with(path: Path, text: String): Project = when (path.extension) {
+        "asl" -> if (programs[path]?.program?.text == text) this else copy(programs = programs + (path to AgentProgram(path, text)))
+        "mas2j" -> if (projectFiles.any { it.path == path && it.text == text }) this
+        else copy(projectFiles = projectFiles.filter { it.path != path } + MasFile(path, text))
+        "xml", "json" -> if (filters.any { it.path == path && it.text == text }) this else withFilter(path, text)
+        else -> this
+    }
 
-    /** Returns a copy of this project in which the XML or JSON file [path] has the text [text]. The file need not be a filter. */
-    fun withFilter(path: Path, text: String): Project {
+    private fun withFilter(path: Path, text: String): Project {
         val others = filters.filter { it.path != path }
         return when {
             isFilter(path, text) -> copy(filters = others + FilterFile.of(path, text))

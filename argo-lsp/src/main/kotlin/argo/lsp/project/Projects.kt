@@ -1,6 +1,5 @@
 package argo.lsp.project
 
-import argo.check.project.MasFile
 import argo.check.project.ProjectReader
 import argo.lsp.text.OpenTexts
 import argo.lsp.text.Text
@@ -9,7 +8,6 @@ import java.net.URISyntaxException
 import java.nio.file.FileSystemNotFoundException
 import java.nio.file.Path
 import java.util.Optional
-import kotlin.io.path.extension
 
 /**
  * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses this class. [tell] is
@@ -35,19 +33,8 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         val last = read[folder] ?: Project(read(file), emptyMap())
         val known = last.checked
         val open = texts.all().mapNotNull { each -> fileOf(each.uri)?.let { it to each } }.toMap()
-        val current = open.filterKeys { it.startsWith(known.root) }.entries.fold(known) { it, (path, each) -> it.with(path, each) }
+        val current = open.filterKeys { it.startsWith(known.root) }.entries.fold(known) { it, (path, each) -> it.with(path, each.content) }
         return (if (current === known) Project(current, open, last.check) else Project(current, open)).also { read[folder] = it }
-    }
-
-    /**
-     * Returns this project with the editor's [text] of the file [path]. If the project already has this text, returns the project itself.
-     */
-    private fun argo.check.project.Project.with(path: Path, text: Text): argo.check.project.Project = when (path.extension) {
-        "asl" -> if (programs[path]?.program?.text == text.content) this else with(path, text.content)
-        "mas2j" -> if (projectFiles.any { it.path == path && it.text == text.content }) this
-        else copy(projectFiles = projectFiles.filter { it.path != path } + MasFile(path, text.content))
-        "xml", "json" -> if (filters.any { it.path == path && it.text == text.content }) this else withFilter(path, text.content)
-        else -> this
     }
 
     private fun read(file: Path): argo.check.project.Project {
