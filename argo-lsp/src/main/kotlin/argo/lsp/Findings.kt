@@ -13,14 +13,13 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either
 
 /** The findings of argo-check, in the editor's form. */
 internal class Findings(private val projects: Projects) {
-    fun inProgram(text: Text): List<Diagnostic> {
+    /** Returns the findings in [text]: a program, a project file or a filter. */
+    fun of(text: Text): List<Diagnostic> {
         val project = projects.of(text)
-        return project.check.findingsIn(project.sourceOf(text).agent).map(::diagnostic)
+        val found = if (text.uri.endsWith(".asl")) project.check.findingsIn(project.sourceOf(text).agent)
+        else project.check.findingsInFiles().filter { it.place.file == fileOf(text.uri) }
+        return found.map(::diagnostic)
     }
-
-    /** Returns the findings in [text], a project file or a filter. */
-    fun inFile(text: Text): List<Diagnostic> =
-        projects.of(text).check.findingsInFiles().filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
 
     private fun diagnostic(finding: Finding) = Diagnostic(
         Range(position(finding.place.begin), position(finding.place.end)), "${finding.what}: ${finding.why}; ${finding.remedy}",

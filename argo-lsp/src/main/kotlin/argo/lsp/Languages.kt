@@ -1,6 +1,5 @@
 package argo.lsp
 
-import argo.check.project.MasAgent
 import argo.check.syntax.programOf
 import argo.lsp.agents.ActionManual
 import argo.lsp.agents.AgentLanguage
@@ -10,7 +9,6 @@ import argo.lsp.filters.FilterWords
 import argo.lsp.filters.JsonFilterLanguage
 import argo.lsp.filters.XmlFilterLanguage
 import argo.lsp.language.Language
-import argo.lsp.live.LiveValues
 import argo.lsp.project.Projects
 import argo.lsp.projectfile.ProjectFileLanguage
 import argo.lsp.text.OpenTexts
@@ -25,7 +23,6 @@ import org.eclipse.lsp4j.Diagnostic
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val projects = Projects(texts, tell)
     private val findings = Findings(projects)
-    private val live = LiveValues()
 
     /** True if the editor treats `${1:X}` in inserted text as a placeholder. */
     @Volatile
@@ -36,16 +33,16 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     }
 
     private val byEnding = mapOf(
-        "asl" to AgentLanguage(findings::inProgram, projects::of, { words }, ::lastValues),
-        "mas2j" to ProjectFileLanguage(findings::inFile, projects::of),
-        "xml" to XmlFilterLanguage(findings::inFile, ::filterWords),
-        "json" to JsonFilterLanguage(findings::inFile, ::filterWords),
+        "asl" to AgentLanguage(projects::of, { words }),
+        "mas2j" to ProjectFileLanguage(projects::of),
+        "xml" to XmlFilterLanguage(::filterWords),
+        "json" to JsonFilterLanguage(::filterWords),
     )
 
     /** Returns the language of [uri]; null if this server does not support the file's ending. */
     fun of(uri: String): Language? = byEnding[uri.substringAfterLast('.')]
 
-    fun diagnostics(text: Text): List<Diagnostic> = of(text.uri)?.diagnostics(text).orEmpty()
+    fun diagnostics(text: Text): List<Diagnostic> = if (of(text.uri) == null) emptyList() else findings.of(text)
 
     /** Does the work that follows a change of [text], and drops the result. */
     fun rehearse(text: Text) {
@@ -56,25 +53,10 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     /** Call this function after files were created, deleted or changed on the disk. */
     fun filesChanged() = projects.forget()
 
-    /** Returns current percepts or beliefs of agents that run the program in [text]. The agents must have a live view at a fixed port. */
-    private fun lastValues(text: Text, functor: String, arity: Int): List<String> {
-        val project = projects.of(text)
-        return project.checked.agentsOf(project.sourceOf(text).file).flatMap { agent ->
-            viewOf(agent)?.let { port -> agent.names.flatMap { live.of(port, it, functor, arity) } }.orEmpty()
-        }
-    }
-
-    private fun viewOf(agent: MasAgent): Int? =
-        agent.options.find { it.name.text == "argo_view" }?.value?.text?.toIntOrNull()?.takeIf { it in PORTS }
-
     private fun filterWords(text: Text): FilterWords {
         val robot = projects.of(text).robot
         val percepts = robot.described.groupBy({ it.meaning.functor() }) { "`${it.meaning}`" }
         val meanings = percepts.mapValues { (_, kinds) -> "percepts of the board: ${kinds.joinToString()}" }
         return FilterWords(meanings, robot.registered.map { it.meaning.name })
-    }
-
-    private companion object {
-        val PORTS = 1..65_535
     }
 }

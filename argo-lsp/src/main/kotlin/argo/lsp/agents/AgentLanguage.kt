@@ -2,31 +2,25 @@ package argo.lsp.agents
 
 import argo.lsp.language.Language
 import argo.lsp.language.Renamed
+import argo.lsp.live.LiveValues
 import argo.lsp.project.Project
 import argo.lsp.project.Source
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
-import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.DocumentSymbol
 import org.eclipse.lsp4j.Hover
 import org.eclipse.lsp4j.Location
 import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextEdit
 
-internal class AgentLanguage(
-    private val find: (Text) -> List<Diagnostic>,
-    private val projectOf: (Text) -> Project,
-    private val words: () -> Words,
-    private val lastValues: (Text, String, Int) -> List<String>,
-) : Language {
-    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
+internal class AgentLanguage(private val projectOf: (Text) -> Project, private val words: () -> Words) : Language {
+    private val live = LiveValues()
 
     override fun completions(text: Text, offset: Int): List<CompletionItem> =
         with(text) { project, source -> Completions(project, source, offset, words()).items() }
 
-    override fun hover(text: Text, offset: Int): Hover? = with(text) { project, source ->
-        Hovers(project, source, words()) { functor, arity -> lastValues(text, functor, arity) }.at(offset)
-    }
+    override fun hover(text: Text, offset: Int): Hover? =
+        with(text) { project, source -> Hovers(project, source, words(), live).at(offset) }
 
     override fun definitions(text: Text, offset: Int): List<Location> =
         with(text) { project, source -> Navigation(project, source, words()).definitions(offset) }

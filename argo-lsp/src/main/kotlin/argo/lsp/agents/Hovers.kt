@@ -3,6 +3,7 @@ package argo.lsp.agents
 import argo.check.syntax.Literal
 import argo.check.syntax.TokenKind
 import argo.lsp.language.markdown
+import argo.lsp.live.LiveValues
 import argo.lsp.project.Occurrence
 import argo.lsp.project.Project
 import argo.lsp.project.Source
@@ -11,13 +12,8 @@ import argo.tools.command.counted
 import org.eclipse.lsp4j.Hover
 import kotlin.io.path.name
 
-/** Explains the word under the cursor. [lastValues] returns a running agent's newest percepts with a functor and an arity. */
-internal class Hovers(
-    private val project: Project,
-    private val source: Source,
-    private val words: Words,
-    private val lastValues: (functor: String, arity: Int) -> List<String>,
-) {
+/** Explains the word under the cursor. */
+internal class Hovers(private val project: Project, private val source: Source, private val words: Words, private val live: LiveValues) {
     fun at(offset: Int): Hover? {
         val token = source.program.tokenAt(offset)?.takeIf { it.kind == TokenKind.ATOM } ?: return null
         val literals = source.program.nodesAt(offset).filterIsInstance<Literal>().filter { it.name.span.touches(offset) }
@@ -50,8 +46,14 @@ internal class Hovers(
     }
 
     private fun percept(kind: String, file: String, literal: Literal): String {
-        val values = lastValues(literal.functor, literal.arity).joinToString("") { "\n\nnow: `$it`" }
+        val values = lastValues(literal).joinToString("") { "\n\nnow: `$it`" }
         return "`$kind`\n\na percept of the board, described in $file$values"
+    }
+
+    /** Returns current percepts or beliefs of agents that run the program. The agents must have a live view at a fixed port. */
+    private fun lastValues(literal: Literal): List<String> = project.checked.agentsOf(source.file).flatMap { agent ->
+        val port = agent.options.find { it.name.text == "argo_view" }?.value?.text?.toIntOrNull()?.takeIf { it in PORTS }
+        port?.let { agent.names.flatMap { name -> live.of(port, name, literal.functor, literal.arity) } }.orEmpty()
     }
 
     private fun places(occurrence: Occurrence): String {
@@ -81,5 +83,6 @@ internal class Hovers(
 
     private companion object {
         val COMMANDS = setOf("act", "can")
+        val PORTS = 1..65_535
     }
 }

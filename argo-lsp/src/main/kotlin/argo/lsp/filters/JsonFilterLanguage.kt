@@ -6,13 +6,10 @@ import argo.lsp.language.completion
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
 import org.eclipse.lsp4j.CompletionItemKind
-import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
 /** Helps with filters in JSON, but not with other JSON files. */
-internal class JsonFilterLanguage(private val find: (Text) -> List<Diagnostic>, private val words: (Text) -> FilterWords) : Language {
-    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
-
+internal class JsonFilterLanguage(private val words: (Text) -> FilterWords) : Language {
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
         val place = JsonPlace.at(text.content, offset)
         val span = Span(place.begin, offset)

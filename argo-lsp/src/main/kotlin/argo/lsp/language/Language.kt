@@ -2,7 +2,6 @@ package argo.lsp.language
 
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
-import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.DocumentSymbol
 import org.eclipse.lsp4j.Hover
 import org.eclipse.lsp4j.Location
@@ -12,8 +11,6 @@ import org.eclipse.lsp4j.WorkspaceEdit
 
 /** The server's help for one kind of file. Only the server's worker thread calls these functions. */
 internal interface Language {
-    fun diagnostics(text: Text): List<Diagnostic>
-
     /** Returns the words that may be inserted at [offset] of [text]. */
     fun completions(text: Text, offset: Int): List<CompletionItem> = emptyList()
 

@@ -12,7 +12,6 @@ import argo.lsp.project.fileOf
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
 import org.eclipse.lsp4j.CompletionItemKind
-import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.DocumentSymbol
 import org.eclipse.lsp4j.Hover
 import org.eclipse.lsp4j.Location
@@ -22,12 +21,7 @@ import org.eclipse.lsp4j.SymbolKind
 import java.nio.file.Path
 
 /** Jason's project files, `.mas2j`. */
-internal class ProjectFileLanguage(
-    private val find: (Text) -> List<Diagnostic>,
-    private val projectOf: (Text) -> Project,
-) : Language {
-    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
-
+internal class ProjectFileLanguage(private val projectOf: (Text) -> Project) : Language {
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
         val tokens = read(text).tokens
         val word = tokens.lastOrNull { it.span.start < offset && offset <= it.span.end && it.kind == TokenKind.ATOM }
