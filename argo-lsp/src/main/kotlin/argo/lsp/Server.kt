@@ -1,6 +1,8 @@
 package argo.lsp
 
 import argo.lsp.text.OpenTexts
+import org.eclipse.lsp4j.DidChangeConfigurationParams
+import org.eclipse.lsp4j.DidChangeWatchedFilesParams
 import org.eclipse.lsp4j.InitializeParams
 import org.eclipse.lsp4j.InitializeResult
 import org.eclipse.lsp4j.MessageParams
@@ -30,7 +32,14 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
     private val diagnostics =
         Diagnostics(texts, worker, languages::diagnostics, languages::rehearse, { client.publishDiagnostics(it) }, ::report)
     private val documents = Documents(texts, worker, languages, diagnostics, ::warn)
-    private val workspace = Workspace(worker, languages, diagnostics)
+    private val workspace = object : WorkspaceService {
+        override fun didChangeWatchedFiles(parameters: DidChangeWatchedFilesParams) {
+            worker.execute { languages.filesChanged() }
+            diagnostics.changed()
+        }
+
+        override fun didChangeConfiguration(parameters: DidChangeConfigurationParams) = Unit
+    }
     private val end = CompletableFuture<Int>()
     private lateinit var client: LanguageClient
 

@@ -22,7 +22,10 @@ internal fun formattingOf(program: Program): List<Blanks> {
     return changes.takeIf { programOf("$result").tokens.map(Token::text) == program.tokens.map(Token::text) }.orEmpty()
 }
 
-private class Formatting(private val program: Program) {
+/** A change of blanks: [text] replaces the blanks at [span]. */
+internal class Blanks(val span: Span, val text: String)
+
+internal class Formatting(private val program: Program) {
     private val text = program.text
     private val tokens = program.tokens
 

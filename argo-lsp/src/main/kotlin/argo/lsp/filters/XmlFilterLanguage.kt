@@ -19,7 +19,7 @@ internal class XmlFilterLanguage(private val words: (Text) -> FilterWords) : Lan
                 if (part.isEnd) place.open.takeLast(1).map { completion(it, CompletionItemKind.Property, "", text, span) }
                 else XmlFilterSchema.elementsIn(place.open).map { named(CompletionItemKind.Property, it.named) }
             is XmlPlace.Part.Attribute ->
-                XmlFilterSchema.element(place.open, part.element)?.attributes.orEmpty().map { named(CompletionItemKind.Field, it.named) }
+                XmlFilterSchema.element(place.open, part.element)?.attributes.orEmpty().map { named(CompletionItemKind.Field, it) }
             is XmlPlace.Part.Value -> values(place, part, words(text)).map { completion(it, CompletionItemKind.Value, "", text, span) }
             XmlPlace.Part.Content -> if (place.open.lastOrNull() == PREDICATE) predicates(text, place, offset) else emptyList()
             XmlPlace.Part.Nothing -> emptyList()
@@ -28,8 +28,7 @@ internal class XmlFilterLanguage(private val words: (Text) -> FilterWords) : Lan
 
     private fun values(place: XmlPlace, part: XmlPlace.Part.Value, words: FilterWords): List<String> {
         if (part.attribute == REFLEX) return words.actions
-        val element = XmlFilterSchema.element(place.open, part.element)
-        return element?.attributes?.find { it.named.name == part.attribute }?.values.orEmpty()
+        return XmlFilterSchema.element(place.open, part.element)?.attributes?.find { it.name == part.attribute }?.values.orEmpty()
     }
 
     private fun predicates(text: Text, place: XmlPlace, offset: Int): List<CompletionItem> {
@@ -44,8 +43,7 @@ internal class XmlFilterLanguage(private val words: (Text) -> FilterWords) : Lan
         val word = text.content.substring(place.begin.coerceAtMost(end), end).trim()
         val found = when (val part = place.part) {
             is XmlPlace.Part.Name -> XmlFilterSchema.element(place.open, word)?.named
-            is XmlPlace.Part.Attribute ->
-                XmlFilterSchema.element(place.open, part.element)?.attributes?.find { it.named.name == word }?.named
+            is XmlPlace.Part.Attribute -> XmlFilterSchema.element(place.open, part.element)?.attributes?.find { it.name == word }
             XmlPlace.Part.Content -> words(text).percepts[word]?.takeIf { place.open.lastOrNull() == PREDICATE }?.let { Named(word, it) }
             else -> null
         }

@@ -4,10 +4,7 @@ import org.w3c.dom.Element
 import org.w3c.dom.Node
 import javax.xml.parsers.DocumentBuilderFactory
 
-/** An attribute and its possible values. [values] is empty if there are too many to list. */
-internal class XmlAttributeKind(val named: Named, val values: List<String>)
-
-internal class XmlElementKind(val named: Named, val attributes: List<XmlAttributeKind>, elements: () -> List<XmlElementKind>) {
+internal class XmlElementKind(val named: Named, val attributes: List<Named>, elements: () -> List<XmlElementKind>) {
     val elements: List<XmlElementKind> by lazy(elements)
 }
 
@@ -37,9 +34,9 @@ internal object XmlFilterSchema {
         }
     }.distinctBy { it.named.name }
 
-    private fun attributes(node: Element): List<XmlAttributeKind> = node.children().flatMap { child ->
+    private fun attributes(node: Element): List<Named> = node.children().flatMap { child ->
         when (child.localPart) {
-            "attribute" -> listOf(XmlAttributeKind(named(child), values(child.getAttribute("type"))))
+            "attribute" -> listOf(named(child, values(child.getAttribute("type"))))
             "attributeGroup" -> attributes(global("attributeGroup", child.getAttribute("ref")) ?: child)
             "simpleContent", "extension" -> attributes(child)
             else -> emptyList()
@@ -57,9 +54,9 @@ internal object XmlFilterSchema {
         return simple.children("restriction").flatMap { it.children("enumeration") }.map { it.getAttribute("value") }
     }
 
-    private fun named(node: Element) = Named(
+    private fun named(node: Element, values: List<String> = emptyList()) = Named(
         node.getAttribute("name"),
-        node.children("annotation").flatMap { it.children("documentation") }.joinToString("\n\n") { it.textContent.trim() },
+        node.children("annotation").flatMap { it.children("documentation") }.joinToString("\n\n") { it.textContent.trim() }, values,
     )
 
     private fun global(kind: String, name: String): Element? = schema.children(kind).find { it.getAttribute("name") == name }

@@ -3,6 +3,7 @@ package argo.lsp.project
 import argo.check.ProjectCheck
 import argo.check.project.AgentProgram
 import argo.check.project.Robot
+import argo.check.syntax.Program
 import argo.lsp.text.Text
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
@@ -33,4 +34,13 @@ internal class Project(
 
     private fun source(program: AgentProgram) =
         Source(program, open[program.path] ?: Text(program.path.toUri().toString(), 0, program.program.text))
+}
+
+/** A program of a project, with its text in the editor or on the disk. */
+internal class Source(val agent: AgentProgram, val text: Text) {
+    val file: Path get() = agent.path
+    val program: Program get() = agent.program
+    val occurrences: List<Occurrence> by lazy { agent.mentions.all.mapNotNull(Occurrence::of) }
+
+    fun occurrenceAt(offset: Int): Occurrence? = occurrences.find { it.name.touches(offset) }
 }
