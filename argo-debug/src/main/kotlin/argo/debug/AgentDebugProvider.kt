@@ -18,14 +18,12 @@ class AgentDebugProvider : AgentObserverProvider {
         return try {
             val server = DebugServers.join(port, agent)
             log.info("debuggers reach ${agent.name} at port ${server.port} of this computer")
-            DebuggedAgent { DebugServers.leave(server, agent) }
+            object : AgentObserver {
+                override fun close() = DebugServers.leave(server, agent)
+            }
         } catch (trouble: IOException) {
             refuse("port $port cannot be had, it is in use or not allowed (${trouble.message}); choose another")
         }
-    }
-
-    private class DebuggedAgent(private val leave: () -> Unit) : AgentObserver {
-        override fun close() = leave()
     }
 
     private companion object {
