@@ -37,16 +37,14 @@ internal class AgentReplay(private val file: Path, private val options: AgentRep
         val elapsedNs = System.nanoTime() - begin
         val believers = if (options.until == null && options.from != null) emptySet() else options.of
         val shown = believers.ifEmpty { if (options.until == null) emptySet() else recording.agents.keys }
+        val beginnings = recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { agent to it } }.toMap()
         return ReplayReport(
-            recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
+            recording.agents.keys.toList(), beginnings, replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
             elapsedNs,
             replay.differences, replay.refusals,
             shown.associateWith(replay::beliefs), cycles, recording.problems + listOfNotNull(trouble),
         )
     }
-
-    private fun beginnings(recording: Recording) =
-        recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
     private fun cycles(recording: Recording, firstNs: Long, endNs: Long): List<ShownCycle> {
         val beginNs = nsOf(options.from ?: return emptyList(), recording, firstNs)

@@ -3,17 +3,12 @@ package argo.tools.replay
 import argo.tools.command.nanosOf
 import picocli.CommandLine.ITypeConverter
 import picocli.CommandLine.TypeConversionException
-import java.math.BigDecimal
 
 /** A time in a recording: seconds after the first cycle, or a cycle of an agent. */
 internal sealed interface Moment {
-    data class Time(val ns: Long) : Moment {
-        override fun toString() = "${BigDecimal.valueOf(ns, NANO_DIGITS)}"
-    }
+    class Time(val ns: Long) : Moment
 
-    data class OfCycle(val number: Int) : Moment {
-        override fun toString() = "c$number"
-    }
+    class OfCycle(val number: Int) : Moment
 
     /** Reads `12.3`, `12.3s` and `c412`. */
     class Converter : ITypeConverter<Moment> {
@@ -23,9 +18,5 @@ internal sealed interface Moment {
             return cycle?.takeIf { it >= 0 }?.let(::OfCycle) ?: seconds?.let(::Time)
                 ?: throw TypeConversionException("$text is no moment of a recording; 12.3 is a second, and c412 a cycle")
         }
-    }
-
-    private companion object {
-        const val NANO_DIGITS = 9
     }
 }

@@ -1,5 +1,6 @@
 package argo.tools.replay
 
+import argo.recording.KeyFrame
 import argo.recording.replay.Difference
 import argo.recording.replay.RefusedCycle
 import argo.tools.command.counted
@@ -8,14 +9,9 @@ import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The replay of [agent] starts late, since the recording lacks its first cycles. The replay starts after the [cycle] that started at [ns].
- */
-internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
-
-/**
  * The result of a replay.
  *
- * @property beginnings the start of the replay for each agent whose first cycles are missing
+ * @property beginnings the state from which the replay goes on, for each agent whose first cycles are missing
  * @property recordedNs the time from the first cycle to the last replayed cycle
  * @property refusals the cycles that cannot be replayed. Each ends the replay of its agent
  * @property beliefs the beliefs of the requested agents
@@ -23,7 +19,7 @@ internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
  */
 internal class ReplayReport(
     private val agents: List<String>,
-    private val beginnings: List<Beginning>,
+    private val beginnings: Map<String, KeyFrame>,
     private val cycles: Long,
     private val firstNs: Long,
     private val recordedNs: Long,
@@ -49,9 +45,9 @@ internal class ReplayReport(
     /** Returns the report on the recording [name]. With [isCheck], includes everything that is not deterministic. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
-        beginnings.forEach {
-            val of = if (agents.size == 1) "" else "agent ${it.agent} "
-            add("${of}begins behind cycle ${it.cycle}, %.3f s: earlier cycles are not in this recording".format(secondsAt(it.ns)))
+        beginnings.forEach { (agent, frame) ->
+            val of = if (agents.size == 1) "" else "agent $agent "
+            add("${of}begins behind cycle ${frame.number}, %.3f s: earlier cycles are not in this recording".format(secondsAt(frame.ns)))
         }
         add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
         refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }
@@ -73,7 +69,9 @@ internal class ReplayReport(
 
     fun json(): JsonObject = jsonOf(
         "agents" to agents,
-        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns)) },
+        "begins" to beginnings.map { (agent, frame) ->
+            jsonOf("agent" to agent, "cycle" to frame.number, "seconds" to secondsAt(frame.ns))
+        },
         "cycles" to cycles, "seconds" to secondsIn(recordedNs), "took" to secondsIn(elapsedNs),
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
         "refused" to refusals.map {
