@@ -1,6 +1,5 @@
 package argo.tools.board
 
-import argo.links.Answer
 import argo.links.BoardLink
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
@@ -15,7 +14,6 @@ import javino.link.SendOptions
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Parameters
-import java.util.concurrent.ExecutionException
 
 @Command
 internal abstract class MessageCommand : DataCommand() {
@@ -29,26 +27,21 @@ internal abstract class MessageCommand : DataCommand() {
     protected lateinit var message: String
 
     final override fun call(): Int = try {
-        check()
         exchange()
         ExitStatus.DONE
     } catch (unsendable: IllegalArgumentException) { // the message does not fit into a frame
         throw ToolException(unsendable.message.orEmpty())
     }
 
-    protected open fun check() = Unit
-
-    protected open fun exchange() = line.open(port).use(::exchange)
-
-    protected abstract fun exchange(link: Link)
+    protected abstract fun exchange()
 }
 
 @Command(name = "request", description = ["Sends a request, as getPercepts, and prints the answer. Opening a port resets most boards."])
 internal class RequestCommand : MessageCommand() {
-    override fun exchange(link: Link) {
+    override fun exchange() = line.open(port).use { link ->
         val answer = link.request(message, line.timeoutMs).text()
-        if (!json) return out.println(printable(answer))
-        out.println(jsonOf("port" to link.port(), "request" to message, "answer" to answer, "protocol" to versionSpoken(link.protocol())))
+        val members = arrayOf("port" to link.port(), "request" to message, "answer" to answer, "protocol" to versionSpoken(link.protocol()))
+        out.println(if (json) jsonOf(*members) else printable(answer))
     }
 }
 
@@ -61,25 +54,21 @@ internal class RequestCommand : MessageCommand() {
     ],
 )
 internal class SendCommand : MessageCommand() {
-    override fun check() {
+    override fun exchange() {
         if (message.isEmpty()) misuse("a command has at least one character")
-        if (!PerceptsRequest.isIn(message)) return
-        misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
+        if (PerceptsRequest.isIn(message)) {
+            misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
+        }
+        line.openElsewhere(port)?.use(::exchange) ?: line.open(port).use(::exchange)
     }
 
-    override fun exchange() = line.openElsewhere(port)?.use(::exchange) ?: super.exchange()
-
     private fun exchange(link: BoardLink) {
-        val answer = try {
-            link.send(message, SendOptions(false, line.givenTimeoutMs)).outcome.get() as? Answer
-        } catch (failed: ExecutionException) {
-            throw failed.cause ?: failed
-        }
+        val answer = link.sendAndAwait(message, SendOptions(false, line.givenTimeoutMs))
         if (json) return out.println(jsonOf("port" to link.port, "sent" to message, "acted" to true, "answer" to answer?.text))
         out.println(printable("done" + answer?.text?.let { "; the answer is $it" }.orEmpty()))
     }
 
-    override fun exchange(link: Link) {
+    private fun exchange(link: Link) {
         try {
             link.sendAndAwait(message, line.timeoutMs)
         } catch (refused: ActionRefusedException) {

@@ -1,6 +1,8 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
+import argo.filters.matching.whyClaimed
+import argo.filters.matching.whyUnreadable
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonOf
@@ -207,7 +209,8 @@ internal class MonitorCommand : DataCommand() {
     /** The percept [text], and its problem if any. [kinds] are the kinds in the board's description, or empty if it has none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
-        val whyUnbelieved = whyUnbelieved(text)
+        val whyUnbelieved: String? =
+            whyUnreadable(text) ?: whyClaimed(term.indicator(), term.arguments().lastOrNull()?.substringBefore('[')?.trim())
         val deviation: String? = if (kinds.isEmpty()) null else PerceptKind.deviationOf(term, kinds).orElse(null)
         val words: String = PerceptKind.of(term, kinds).map { it.withUnits(term) }.orElse(text)
         val problem = whyUnbelieved?.let { "no agent believes $text: $it" }

@@ -33,8 +33,15 @@ internal data class ProbedBoard(
  */
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
     /** Probes the port [name]. The probe takes up to four seconds for each rate without an answer. */
-    fun of(name: String): ProbedBoard {
-        BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
+    fun of(name: String): ProbedBoard = try {
+        BoardLinkProvider.of(name)?.let { elsewhere(name, it) } ?: onLine(name)
+    } catch (missing: NoSuchPortException) {
+        ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
+    } catch (trouble: PortException) {
+        ProbedBoard(trouble.message.orEmpty(), answers = null)
+    }
+
+    private fun onLine(name: String): ProbedBoard {
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
         val strays = ArrayList<StrayBytes>()
         for (rate in tried) {
@@ -49,35 +56,22 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
     }
 
     /** Probes a board without a serial line, such as a ROS robot. */
-    private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
+    private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard =
         provider.open(name, true, LineClock.system()).use { link ->
             val description = if (describes) LinkDescription.of(link) else null
             ProbedBoard("a board that speaks ${provider.scheme}", answers = true, description = description)
         }
-    } catch (missing: NoSuchPortException) {
-        ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
-    } catch (trouble: PortException) {
-        ProbedBoard(trouble.message.orEmpty(), answers = null)
-    }
 
     /** Probes the port [name] at [rate]. Without an answer, adds the received bytes to [strays] and returns null. */
-    private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
-        val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
-        return try {
-            Link.open(name, settings, "argo ports").use { link ->
-                try {
-                    found(link)
-                } catch (_: PortTimeoutException) {
-                    strays += link.strayBytes()
-                    null
-                }
+    private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? =
+        Link.open(name, LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO), "argo ports").use { link ->
+            try {
+                found(link)
+            } catch (_: PortTimeoutException) {
+                strays += link.strayBytes()
+                null
             }
-        } catch (missing: NoSuchPortException) {
-            ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
-        } catch (trouble: PortException) {
-            ProbedBoard(trouble.message.orEmpty(), answers = null)
         }
-    }
 
     private fun found(link: Link): ProbedBoard {
         if (describes) return BoardDescription.of(link).let { ProbedBoard(it.lines().first(), answers = true, description = it) }

@@ -1,5 +1,6 @@
 package argo.tools.command
 
+import argo.check.rules.editDistance
 import picocli.CommandLine
 import picocli.CommandLine.ExitCode
 import picocli.CommandLine.MissingParameterException
@@ -65,6 +66,14 @@ private fun reason(wrong: ParameterException, kind: String): String? {
         }
     }
 }
+
+/** Returns the name in [names] that [word] probably means, or null if there is none. Only case or one or two letters may differ. */
+private fun closest(word: String, names: Collection<String>): String? {
+    fun distanceTo(name: String) = editDistance(word.lowercase(), name.lowercase())
+    return names.minByOrNull(::distanceTo)?.takeIf { distanceTo(it) <= if (word.length > LONG) 2 else 1 }
+}
+
+private const val LONG = 4
 
 /** Ends this command because of wrong arguments, for [reason]. */
 fun CommandSpec.refuse(reason: String): Nothing = throw ParameterException(commandLine(), reason)

@@ -4,7 +4,6 @@ import argo.links.Answer
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.BoardMessage
-import argo.links.SentCommand
 import argo.links.Wish
 import argo.tools.Output
 import argo.tools.argo
@@ -16,7 +15,6 @@ import javino.LineClock
 import javino.NoSuchPortException
 import javino.link.SendOptions
 import javino.wire.BoardAction
-import java.util.concurrent.CompletableFuture
 
 /** Provides the scheme `elsewhere`, with one board and no serial line. */
 class ElsewhereProvider : BoardLinkProvider {
@@ -46,13 +44,14 @@ private class Elsewhere : BoardLink {
 
     override fun check() = Unit
 
-    override fun send(text: String, options: SendOptions) = SentCommand(
-        if (text == "limit") CompletableFuture.completedFuture(Answer.of("${options.limitMillis()}"))
-        else if (text != "fly") CompletableFuture.completedFuture(if (text == "stop") null else Answer.of("[sum(3)]"))
-        else CompletableFuture.failedFuture(ActionRefusedException(port, "the robot has no command fly")),
-    )
+    override fun send(text: String, options: SendOptions) = throw UnsupportedOperationException("the tools wait for an outcome")
 
-    override fun sendAndAwait(text: String, options: SendOptions) = null
+    override fun sendAndAwait(text: String, options: SendOptions): Answer? = when (text) {
+        "limit" -> Answer.of("${options.limitMillis()}")
+        "stop" -> null
+        "fly" -> throw ActionRefusedException(port, "the robot has no command fly")
+        else -> Answer.of("[sum(3)]")
+    }
 
     override fun close() = Unit
 }
