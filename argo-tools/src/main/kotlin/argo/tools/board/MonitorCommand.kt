@@ -70,7 +70,8 @@ internal class MonitorCommand : DataCommand() {
     private var seconds: Int? = null
 
     override fun call(): Int {
-        if (mode !in listOf("request", "listen")) misuse("--mode is request or listen, not $mode")
+        val asks = mode == "request"
+        if (!asks && mode != "listen") misuse("--mode is request or listen, not $mode")
         spec.requireWithin("--interval", intervalMs, 0..MAX_MS, "ms")
         if ((count ?: 1) < 1) misuse("--count is at least 1, not $count")
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
@@ -80,7 +81,7 @@ internal class MonitorCommand : DataCommand() {
         return Interruption().use {
             val elsewhere = line.openElsewhere(port)
             if (elsewhere != null) elsewhere.use { monitorRecording(LinkedBoard(it, intervalMs, line.timeoutMs)) }
-            else line.open(port).use { monitorRecording(JavinoBoard(it, mode == "request", line.timeoutMs)) }
+            else line.open(port, asks).use { monitorRecording(JavinoBoard(it, asks, line.timeoutMs)) }
         }
     }
 

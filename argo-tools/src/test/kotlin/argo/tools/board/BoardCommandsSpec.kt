@@ -136,6 +136,18 @@ class BoardCommandsSpec : FunSpec({
         argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 message in"
     }
 
+    test("a recorded board that sent its percepts unasked is asked for none, and the error says what shows them") {
+        val file = tempfile(suffix = ".rec").apply { writeText("javino-recording 1\n0\tin\tdist(1);\n5\tin\tdist(2);\n") }
+        val port = "replay:$file"
+        for (asking in listOf(arrayOf("monitor", port), arrayOf("describe", port, "$file.new"), arrayOf("request", port, "getPercepts"))) {
+            val said = argo(*asking)
+            said.status shouldBe 1
+            said.err shouldContain "$port answers no request, since the recorded board sent its percepts unasked; " +
+                "\"monitor $port --mode listen\" shows them"
+        }
+        argo("send", port, "stop", "--protocol", "2").status shouldBe 0
+    }
+
     test("monitor that listens to a board which sends nothing unasked says so") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
             val said = argo("monitor", port, "--mode", "listen", "--seconds", "1", "--boot", "0", "--timeout", "100")
