@@ -7,12 +7,14 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
+import java.net.ConnectException
 import java.net.URI
 import java.net.URLEncoder
 import java.net.http.HttpClient
 import java.net.http.HttpRequest
 import java.net.http.HttpRequest.BodyPublishers
 import java.net.http.HttpResponse.BodyHandlers
+import java.net.http.HttpTimeoutException
 import java.time.Duration
 
 /** The live views of a running program's agents, at [port] on this computer. */
@@ -44,9 +46,14 @@ internal class RunningViews(private val port: Int) {
         val response = try {
             client.send(request.build(), BodyHandlers.ofString())
         } catch (trouble: IOException) {
+            val why = when (trouble) {
+                is HttpTimeoutException -> "nothing came within ${LIMIT.toSeconds()} s"
+                is ConnectException -> "nothing listens there"
+                else -> "nothing there answers in HTTP"
+            }
             throw ToolException(
-                "no live view responds at $address (${trouble.message ?: trouble.javaClass.simpleName}): does the program run, with " +
-                    "argo_view=$port beside its agent? --view PORT names another port",
+                "no live view responds at $address ($why): does the program run, with argo_view=$port beside its agent? " +
+                    "--view PORT names another port",
             )
         }
         return try {

@@ -74,7 +74,7 @@ class ReloadCommandSpec : FunSpec({
         val port = Views().use { it.port }
         with(argo("reload", "--view", "$port")) {
             status shouldBe 1
-            err shouldStartWith "no live view responds at http://127.0.0.1:$port/"
+            err shouldStartWith "no live view responds at http://127.0.0.1:$port/ (nothing listens there)"
             err shouldContain "argo_view=$port"
         }
         Views().use { views ->
