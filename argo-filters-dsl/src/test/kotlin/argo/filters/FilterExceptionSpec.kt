@@ -59,6 +59,12 @@ class FilterExceptionSpec : FunSpec({
         }
     }
 
+    test("what could command a terminal is shown as text") {
+        val refused = json("\"arity\": \"\\u001b[2J\"")
+        refused.problems.single().message shouldContain "'\\x1B[2J'"
+        refused.message.orEmpty() shouldNotContain "\u001b"
+    }
+
     test("a short value is shown whole") {
         xml("<parameter id=\"0\">Front</parameter>").message.orEmpty() shouldNotContain "…"
     }

@@ -1,5 +1,6 @@
 package argo.filters.jason
 
+import argo.filters.foreignText
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
@@ -13,8 +14,6 @@ class PerceptSyntaxException(message: String, cause: Throwable? = null) : Except
  * character that Jason's syntax cannot express. Safe for use by several threads at once.
  */
 object PerceptReader {
-    private const val SHOWN = 80
-
     /**
      * Reads the literal in the text [percept]. Returns a new literal at each call.
      *
@@ -30,13 +29,13 @@ object PerceptReader {
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {
-        throw PerceptSyntaxException("${shortened(percept)} is nested too deep to be read", e)
+        throw PerceptSyntaxException("${shown(percept)} is nested too deep to be read", e)
     }
 
     private fun refusal(percept: String, cause: Throwable): PerceptSyntaxException {
         val found = cause.message.orEmpty().lineSequence().first()
-        return PerceptSyntaxException("${shortened(percept)} is not a literal that Jason can read: $found", cause)
+        return PerceptSyntaxException("${shown(percept)} is not a literal that Jason can read: ${foreignText(found, first = 200)}", cause)
     }
 
-    private fun shortened(percept: String) = if (percept.length <= SHOWN) "'$percept'" else "'${percept.take(SHOWN)}…'"
+    private fun shown(percept: String) = "'${foreignText(percept, first = 80)}'"
 }

@@ -122,6 +122,7 @@ class PerceptReaderSpec : StringSpec({
             "'dist(f 3)' is not a literal that Jason can read: "
         fun refusal(text: String) = shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) }.message!!
         refusal("x".repeat(500) + "(").length shouldBe refusal("x".repeat(501) + "(").length
+        refusal("dist(\u001b[2J") shouldContain "'dist(\\x1B[2J'"
     }
 
     "a decimal comma makes two arguments" {

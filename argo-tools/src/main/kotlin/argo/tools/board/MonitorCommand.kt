@@ -107,7 +107,7 @@ internal class MonitorCommand : DataCommand() {
             } catch (_: PortInterruptedException) {
                 ExitStatus.DONE
             } catch (trouble: PortException) {
-                err.println(trouble.message)
+                err.println(printable(trouble.message.orEmpty()))
                 ExitStatus.FAILED
             } catch (unwritable: IOException) {
                 err.println("$record cannot be written: ${unwritable.message}")
@@ -185,7 +185,7 @@ internal class MonitorCommand : DataCommand() {
         private fun show(late: PortTimeoutException) {
             unanswered++
             if (json) return out.println(jsonOf("ms" to ms(), "timeout" to late.message))
-            out.println("${paint.aside(time(ms()))}  ${paint.doubtful(late.message.orEmpty())}")
+            out.println("${paint.aside(time(ms()))}  ${paint.doubtful(printable(late.message.orEmpty()))}")
         }
 
         private fun time(ms: Long) = "${Rates.seconds(ms).padStart(TIME_WIDTH)} s"

@@ -26,12 +26,12 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Path::class.java, ::file)
     .setExecutionExceptionHandler { failure, command, _ ->
         val message = messageOf(failure)
-        if (message != null) command.err.println(message) else failure.printStackTrace(command.err)
+        if (message != null) command.err.println(printableLines(message)) else failure.printStackTrace(command.err)
         ExitStatus.FAILED
     }
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine
-        refused.err.println(reason(wrong, kind))
+        refused.err.println(printableLines(reason(wrong, kind)))
         refused.err.println("${refused.commandSpec.qualifiedName()} --help lists the options")
         ExitCode.USAGE
     }
@@ -45,7 +45,7 @@ private fun file(name: String): Path = try {
     throw TypeConversionException("'$name' has characters that no file name has here; if it exists, set a UTF-8 locale (LC_ALL or LANG)")
 }
 
-private fun reason(wrong: ParameterException, kind: String): String? {
+private fun reason(wrong: ParameterException, kind: String): String {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
     // Picocli may report an unknown option as a missing argument.
@@ -57,7 +57,7 @@ private fun reason(wrong: ParameterException, kind: String): String? {
             val meant = closest(unknown.substringBefore('='), options)?.let { "; did you mean $it?" }.orEmpty()
             "Unknown option: '$unknown'$meant"
         }
-        surplus == null -> wrong.message
+        surplus == null -> wrong.message.orEmpty()
         commands.isEmpty() -> "'$surplus' is one argument too many"
         surplus in commands -> "'$surplus' stands behind --, where no command does; leave -- out"
         else -> {

@@ -62,3 +62,6 @@ internal class Paint(private val enabled: Boolean) {
 /** Replaces control characters in [text] by forms such as `\u001B`. Control characters from a board or a file could command a terminal. */
 internal fun printable(text: String): String =
     if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")
+
+/** Returns [text] as [printable] does, but keeps its lines. */
+internal fun printableLines(text: String): String = text.lines().joinToString("\n", transform = ::printable)

@@ -5,6 +5,7 @@ import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.classPathWithJason
 import argo.tools.command.missingJason
+import argo.tools.command.printableLines
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
@@ -82,7 +83,7 @@ internal class ExploreCommand : ToolCommand() {
     override fun call(): Int = try {
         explore()
     } catch (refused: ToolException) {
-        err.println(refused.message)
+        err.println(printableLines(refused.message.orEmpty()))
         NOTHING_KNOWN
     }
 

@@ -4,6 +4,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.printable
+import argo.tools.command.printableLines
 import argo.tools.command.requireWithin
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
@@ -31,8 +32,7 @@ internal class ReloadCommand : ToolCommand() {
         val views = RunningViews(port)
         val outcomes = wanted(views).map { it to views.reload(it) }
         for ((name, outcome) in outcomes) {
-            val words = outcome.words.lines().joinToString("\n", "${printable(name)}: ") { printable(it) }
-            (if (outcome.isDone) out else err).println(words)
+            (if (outcome.isDone) out else err).println("${printable(name)}: ${printableLines(outcome.words)}")
         }
         return if (outcomes.all { (_, outcome) -> outcome.isDone }) ExitStatus.DONE else ExitStatus.FAILED
     }
