@@ -43,15 +43,19 @@ private fun pattern(trial: Trial): Entry.Result = when {
 
 private fun made(vararg conditions: Condition) = conditions.flatMap { Plan.FULL.trials(it) }.map { Finished(it, pattern(it)) }
 
+/** A figure for tests of what the page says: drawing takes most of a report's time. */
+private fun blank(@Suppress("unused") plot: Any) = """<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>"""
+
 private val MADE = Provenance("0.1.0, commit abc", Instant.parse("2026-11-22T10:15:30Z"), "a machine")
 
 class ReportSpec : FunSpec({
     val settings = SETTINGS.copy(plan = Plan.FULL)
     val reports = mutableMapOf<List<Condition>, String>()
 
-    fun report(vararg conditions: Condition): String = reports.getOrPut(conditions.toList()) {
-        writeReport(tempdir().toPath(), settings, made(*conditions), MADE).readText()
-    }
+    fun pageOf(runs: List<Finished>, of: Settings<Plan> = settings): String =
+        writeReport(tempdir().toPath(), of, runs, MADE, ::blank).readText()
+
+    fun report(vararg conditions: Condition): String = reports.getOrPut(conditions.toList()) { pageOf(made(*conditions)) }
 
     test("the page is whole: it asks nothing of the network and shows each figure in light and dark") {
         val directory = tempdir().toPath()
@@ -78,7 +82,7 @@ class ReportSpec : FunSpec({
         page shouldContain "<td class=\"n\">40</td><td class=\"n\">9 of 9 (70 to 100)</td>"
         page shouldContain "<td class=\"n\">420</td><td class=\"n\">410 to 430</td><td class=\"n\">410</td>"
         val few = made(Condition.DEFAULTS).take(5)
-        writeReport(tempdir().toPath(), settings, few, MADE).readText() shouldContain "<td class=\"n\">420</td><td class=\"n\">–</td>"
+        pageOf(few) shouldContain "<td class=\"n\">420</td><td class=\"n\">–</td>"
     }
 
     test("the share of runs that stop is told for each limit and filter, not for limits that differ together") {
@@ -93,13 +97,13 @@ class ReportSpec : FunSpec({
     test("all figures of a row of times end at the same place") {
         val trials = Plan.FULL.trials(Condition.VERSION_2)
         val own = trials.mapIndexed { i, trial -> Finished(trial, stopped(sinceLimitMs = 65.0 + 2 * (i % 27))) }
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED) + own, MADE).readText()
+        val page = pageOf(made(Condition.PUBLISHED) + own)
         page shouldContain listOf("0.091", "0.079 to 0.103", "0.065", "0.117").joinToString("") { "<td class=\"n\">$it</td>" }
     }
 
     test("both times have a table, and only the one from perceiving the wall stands beside the published shares") {
         val runs = Plan.FULL.trials(Condition.DEFAULTS).map { Finished(it, stopped(sinceLimitMs = 500.0, sincePerceivingMs = 300.0)) }
-        val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
+        val page = pageOf(runs)
         fun table(caption: String, of: String = page) = of.substringAfter(caption).substringBefore("</table>")
         table("Time from crossing the limit of the runs that stopped") shouldContain "<td class=\"n\">500.0<"
         table("Time from perceiving the wall of the runs that stopped") shouldContain "<td class=\"n\">300.0<"
@@ -121,7 +125,7 @@ class ReportSpec : FunSpec({
     }
 
     test("the time of a request and its answer is that of each condition without a filter") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.VERSION_2).reversed(), MADE).readText()
+        val page = pageOf(made(Condition.PUBLISHED, Condition.VERSION_2).reversed())
         page shouldContain "A request and its answer of twelve percepts take (a) 168 ms, (c) 37 ms."
     }
 
@@ -159,7 +163,7 @@ class ReportSpec : FunSpec({
         val runs = Plan.FULL.trials(Condition.REFLEX).map {
             Finished(it, stopped(sinceLimitMs = 50.0 + 3.2 * it.view.ordinal + 0.4 * it.replication + 0.1 * it.limit / 40))
         }
-        val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
+        val page = pageOf(runs)
         page shouldContain "<td>no filter</td><td class=\"n\">-3.2</td><td class=\"n\">-3.3 to -3.1</td><td class=\"n\">yes</td>"
         page shouldContain "<td>40 cm</td><td class=\"n\">-0.1</td><td class=\"n\">-0.2 to 0.0</td><td class=\"n\">no</td>"
     }
@@ -177,7 +181,7 @@ class ReportSpec : FunSpec({
         val directory = tempdir().toPath()
         val runs = made(Condition.DEFAULTS)
         val failed = runs.last().let { it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "port \"x\", gone")) }
-        writeReport(directory, settings, runs.dropLast(1) + failed, MADE)
+        writeReport(directory, settings, runs.dropLast(1) + failed, MADE, ::blank)
         val lines = directory.resolve("runs.csv").readText().split("\r\n").dropLast(1)
         lines.size shouldBe 1 + runs.size
         lines.first() shouldStartWith "run,condition,filter,limit_cm,interval_ms,replication,"
@@ -188,7 +192,7 @@ class ReportSpec : FunSpec({
 
     test("a shorter plan says what it leaves out, and what is not tested") {
         val runs = Plan.QUICK.trials(Condition.PUBLISHED).map { Finished(it, pattern(it)) }
-        val page = writeReport(tempdir().toPath(), SETTINGS.copy(plan = Plan.QUICK), runs, MADE).readText()
+        val page = pageOf(runs, SETTINGS.copy(plan = Plan.QUICK))
         page shouldContain "It leaves out the limit of 40 cm, the interval of 35 ms, 1 of 3 replications."
         page shouldContain "<span class=\"not-tested\">not tested</span>"
         report(Condition.PUBLISHED) shouldNotContain "It leaves out"
@@ -211,13 +215,13 @@ class ReportSpec : FunSpec({
     }
 
     test("without any run there is a page that says so") {
-        writeReport(tempdir().toPath(), settings, emptyList(), MADE).readText() shouldContain "There are no runs yet"
+        pageOf(emptyList()) shouldContain "There are no runs yet"
     }
 
     test("a run that failed is named with its reason and not counted") {
         val runs = made(Condition.PUBLISHED)
         val failed = runs.first().let { it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "port <x> is gone")) }
-        val page = writeReport(tempdir().toPath(), settings, runs.drop(1) + failed, MADE).readText()
+        val page = pageOf(runs.drop(1) + failed)
         page shouldContain "port &lt;x&gt; is gone"
         page shouldContain "Not all runs of a condition are made"
     }
@@ -262,7 +266,7 @@ class ReportSpec : FunSpec({
     }
 
     test("a real robot is not described as a simulated one") {
-        val page = writeReport(tempdir().toPath(), settings.copy(port = "tty<0>"), made(Condition.DEFAULTS), MADE).readText()
+        val page = pageOf(made(Condition.DEFAULTS), settings.copy(port = "tty<0>"))
         page shouldContain "a real one, on the port <code>tty&lt;0&gt;</code>"
         page shouldNotContain "All 12 readings change"
         page shouldNotContain "is slowed"

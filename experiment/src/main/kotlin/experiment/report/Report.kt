@@ -21,8 +21,10 @@ import java.time.temporal.ChronoUnit
  * Writes the report on the [finished] runs. The report is the page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
  * `runs.csv`. Returns the file of the page.
  */
-internal fun writeReport(directory: Path, settings: Settings<Plan>, finished: List<Finished>, made: Provenance): Path {
-    val report = Report(Figures(directory.resolve("figures")), settings, finished, made)
+internal fun writeReport(
+    directory: Path, settings: Settings<Plan>, finished: List<Finished>, made: Provenance, draw: (Plot) -> String = ::svg,
+): Path {
+    val report = Report(Figures(directory.resolve("figures"), draw), settings, finished, made)
     Files.writeString(directory.resolve("runs.csv"), csv(finished, settings.seed, made.build))
     val page = directory.resolve("report.html")
     Files.writeString(page, page("The collision experiment", report.body()))
