@@ -24,17 +24,21 @@ class ExploreCommandSpec : FunSpec({
     val folder = tempdir().toPath()
     val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
     val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+    val quick = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
     fun run(vararg arguments: String, path: String = System.getenv("PATH"), environment: Map<String, String> = emptyMap()): Output {
         val (out, err) = List(2) { createTempFile(folder, "output") }
-        val process = ProcessBuilder(listOf(java, "-XX:TieredStopAtLevel=1") + arguments).directory(folder.toFile())
+        val process = ProcessBuilder(listOf(java) + quick + arguments).directory(folder.toFile())
             .redirectOutput(out.toFile()).redirectError(err.toFile()).apply { environment() += environment + ("PATH" to path) }.start()
         check(process.waitFor(5, TimeUnit.MINUTES)) { "${arguments.toList()} does not end" }
         return Output(process.exitValue(), out.readText(), err.readText())
     }
 
     fun explore(vararg arguments: String, path: String = System.getenv("PATH")): Output =
-        run("-cp", classPath, "argo.tools.MainKt", "explore", *arguments, path = path)
+        run(
+            "-cp", classPath, "argo.tools.MainKt", "explore", *arguments, path = path,
+            environment = mapOf("JDK_JAVA_OPTIONS" to quick.joinToString(" ")), // for the program that explores, too
+        )
 
     /** Writes a robot that does not stop without percepts. With [isMended], it stops. */
     fun robot(isMended: Boolean) = folder.resolve("robot.asl").writeText(
@@ -87,11 +91,11 @@ class ExploreCommandSpec : FunSpec({
 
     test("an agent that keeps the rules") {
         robot(isMended = true)
-        val few = arrayOf("--runs", "3", "--seed", "7", "--faults", "cables,silence", "--without", "neverFloods")
+        val few = arrayOf("--runs", "1", "--seed", "7", "--faults", "cables,silence", "--without", "neverFloods")
         val kept = explore("robot.asl", *board, *blind, *few)
         withClue(kept) {
             kept.status shouldBe 0
-            kept.out shouldContain "no rule was broken in 5 runs" // three random runs and two without events
+            kept.out shouldContain "no rule was broken in 3 runs" // a random run and two without events
         }
     }
 
@@ -146,21 +150,10 @@ class ExploreCommandSpec : FunSpec({
 
     test("what is no exploration is refused in words") {
         robot(isMended = false)
-        mapOf(
-            listOf("nobody.asl", *board) to "there is no agent nobody.asl",
-            listOf("robot.asl", "--board", "ttyACM0 dist(front)") to "dist(front) always shows the same",
-            listOf("robot.asl", "--board", "ttyACM0 dist(9..5)") to "9..5 is no range",
-            listOf("robot.asl", *board, "--rule", "stopsWhenBlind(stop)") to "is written as stopsWhenBlind(stop,[front])",
-            listOf("robot.asl", *board, "--rule", "stops(") to "there is no rule stops(; there are staysAlive",
-            listOf("robot.asl", *board, "--faults", "rain") to "there is no fault rain; there are cables",
-            listOf("robot.asl", *board, "--message", "go") to "a message is AGENT SENDER PERFORMATIVE CONTENT",
-            listOf("robot.asl", "--boards", "RobotKt") to "there is no class RobotKt on the class path",
-        ).forEach { (arguments, why) ->
-            val refused = explore(*arguments.toTypedArray())
-            withClue(refused) {
-                refused.status shouldBe 2
-                refused.err shouldContain why
-            }
+        val refused = explore("robot.asl", *board, "--faults", "rain")
+        withClue(refused) {
+            refused.status shouldBe 2
+            refused.err shouldContain "there is no fault rain; there are cables"
         }
         argo("explore", "robot.asl").err shouldContain "describe the agent's board"
         argo("explore", "robot.asl", *board, "--time", "0").err shouldContain "--time is from 1 to"
