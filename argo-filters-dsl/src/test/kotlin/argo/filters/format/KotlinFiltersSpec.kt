@@ -39,7 +39,7 @@ class KotlinFiltersSpec : FunSpec({
         }
     }
 
-    test("names that are none in Kotlin, or hold what its strings do not, come back") {
+    test("names that are none in Kotlin, or hold what its strings do not, come back").config(tags = thorough) {
         val names = listOf("front", "front-left", "night/dark", "when", "__", "c\$d", "7", "a b", "é.漢", "\uD83D\uDE00")
         val written = names.map { PerceptionFilter(it, Rule("dist")) }
         compiled(tempdir(), written).map { it.name } shouldBe names
