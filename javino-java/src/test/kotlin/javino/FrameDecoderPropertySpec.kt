@@ -8,6 +8,7 @@ import io.kotest.matchers.collections.shouldContainInOrder
 import io.kotest.matchers.comparables.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.element
@@ -61,13 +62,13 @@ class FrameDecoderPropertySpec : FunSpec({
     }
 
     test("an intact stream gives exactly its frames, whatever they carry and however it is cut") {
-        checkAll(2_000, Arb.list(nasty, 0..8), Arb.int(1..300)) { frames, chunk ->
+        checkAll(2 * PropertyTesting.defaultIterationCount, Arb.list(nasty, 0..8), Arb.int(1..300)) { frames, chunk ->
             DecoderProbe().feed(bytesOf(frames), chunk).silence().delivered shouldBe frames
         }
     }
 
     test("frames with silences between them are exactly delivered, whatever they carry") {
-        checkAll(1_000, Arb.list(nasty, 1..5)) { frames ->
+        checkAll(Arb.list(nasty, 1..5)) { frames ->
             val probe = DecoderProbe()
             frames.forEach { probe.feed(it.toBytes()).silence() }
             probe.delivered shouldBe frames
@@ -75,14 +76,14 @@ class FrameDecoderPropertySpec : FunSpec({
     }
 
     test("any bytes may come before a frame") {
-        checkAll(2_000, Arb.byteArray(Arb.int(0..300), Arb.byte()), ordinary) { garbage, frame ->
+        checkAll(2 * PropertyTesting.defaultIterationCount, Arb.byteArray(Arb.int(0..300), Arb.byte()), ordinary) { garbage, frame ->
             assume(!isAmbiguous(garbage, listOf(frame)))
             deliveredBehind(garbage, listOf(frame)).last() shouldBe frame
         }
     }
 
     test("pieces of frames may come before a frame") {
-        checkAll(4_000, nastyText, ordinary) { garbage, frame ->
+        checkAll(4 * PropertyTesting.defaultIterationCount, nastyText, ordinary) { garbage, frame ->
             val bytes = garbage.toByteArray(Charsets.ISO_8859_1)
             assume(!isAmbiguous(bytes, listOf(frame)))
             deliveredBehind(bytes, listOf(frame)).last() shouldBe frame
@@ -90,7 +91,7 @@ class FrameDecoderPropertySpec : FunSpec({
     }
 
     test("frames are delivered in their order, whatever lies between them") {
-        checkAll(1_000, Arb.list(ordinary, 2..5), Arb.byteArray(Arb.int(0..20), Arb.byte())) { frames, garbage ->
+        checkAll(Arb.list(ordinary, 2..5), Arb.byteArray(Arb.int(0..20), Arb.byte())) { frames, garbage ->
             val stream = frames.fold(ByteArray(0)) { all, frame -> all + garbage + frame.toBytes() }
             assume(!String(garbage, Charsets.ISO_8859_1).contains("f"))
             DecoderProbe().feed(stream).silence().delivered shouldBe frames

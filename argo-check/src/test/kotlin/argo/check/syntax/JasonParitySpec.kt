@@ -7,6 +7,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
@@ -78,7 +79,7 @@ class JasonParitySpec : FunSpec({
             "/* c */",
         )
         var accepted = 0
-        checkAll(20_000, Arb.list(part, 1..7)) { parts ->
+        checkAll(20 * PropertyTesting.defaultIterationCount, Arb.list(part, 1..7)) { parts ->
             val text = parts.joinToString("") + "."
             val errors = programOf(text).errors
             if (errors.isNotEmpty()) withClue("$text: $errors") { (refusal(text) == null) shouldBe false } else accepted++

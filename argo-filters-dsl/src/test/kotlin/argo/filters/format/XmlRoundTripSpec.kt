@@ -11,11 +11,12 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.PropertyTesting
 import io.kotest.property.checkAll
 
 class XmlRoundTripSpec : StringSpec({
     "what is written is read back to an equal filter" {
-        checkAll(2_000, filters) { XmlFilters.read(XmlFilters.write(it), "generated.xml") shouldBe it }
+        checkAll(2 * PropertyTesting.defaultIterationCount, filters) { XmlFilters.read(XmlFilters.write(it), "generated.xml") shouldBe it }
     }
 
     "what is written does not depend on how it was read" {

@@ -11,6 +11,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
@@ -50,13 +51,15 @@ private fun shouldReadAsJason(text: String) = withClue(text) {
 }
 
 class PerceptReaderSpec : StringSpec({
+    val count = PropertyTesting.defaultIterationCount // 1,000, or fewer in a short run
+
     "it reads every percept exactly as Jason's parser does" {
         var fast = 0
-        checkAll(10_000, perceptTexts) {
+        checkAll(10 * count, perceptTexts) {
             shouldReadAsJason(it)
             if (FastLiteralParser(it).parse() != null) fast++
         }
-        fast shouldBeGreaterThan 1_000
+        fast shouldBeGreaterThan count
     }
 
     "it reads what boards send without Jason's parser, and exactly as it does" {
@@ -95,8 +98,8 @@ class PerceptReaderSpec : StringSpec({
     }
 
     "it reads every number to the same double" {
-        checkAll(5_000, Arb.numericDouble()) { shouldReadAsJason("d(${it.toBigDecimal().toPlainString()},$it)") }
-        checkAll(5_000, Arb.list(Arb.element("0", "1", "9", "5", "."), 1..18).map { it.joinToString("") }) { text ->
+        checkAll(5 * count, Arb.numericDouble()) { shouldReadAsJason("d(${it.toBigDecimal().toPlainString()},$it)") }
+        checkAll(5 * count, Arb.list(Arb.element("0", "1", "9", "5", "."), 1..18).map { it.joinToString("") }) { text ->
             val value = DecimalReader.plain(text, 0, text.length)
             if (!value.isNaN()) value shouldBe text.toDouble()
         }
@@ -107,7 +110,7 @@ class PerceptReaderSpec : StringSpec({
             "d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not",
             "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*",
         ), 0..10)
-        checkAll(20_000, tokens.map { it.joinToString("") }) { text ->
+        checkAll(20 * count, tokens.map { it.joinToString("") }) { text ->
             val expected = try { ASSyntax.parseLiteral(text) } catch (_: Exception) { null } catch (_: Error) { null }
             if (expected == null) {
                 withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) } }

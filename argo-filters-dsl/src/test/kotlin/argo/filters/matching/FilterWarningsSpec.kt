@@ -16,6 +16,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
@@ -142,7 +143,7 @@ class FilterWarningsSpec : FunSpec({
     }
 
     test("a rule or condition that is said to have no effect has none") {
-        checkAll(3_000, filters, Arb.list(perceptTexts, 0..12)) { filter, percepts ->
+        checkAll(3 * PropertyTesting.defaultIterationCount, filters, Arb.list(perceptTexts, 0..12)) { filter, percepts ->
             val warnings = filter.warnings()
             val useless = warnings.mapNotNull { USELESS_RULE.find(it)?.groupValues?.get(1)?.toInt() }
             // one at a time: of two equal rules, only one is useless
