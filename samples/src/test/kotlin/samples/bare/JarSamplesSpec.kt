@@ -33,7 +33,7 @@ class JarSamplesSpec : FunSpec({
     }
 
     test("a sample runs, and its end is the jar's") {
-        val blinked = JarProgram.run(folder, "-jar", "$jar", "sample", "blink", "--seconds", "5")
+        val blinked = JarProgram.run(folder, "-jar", "$jar", "sample", "blink", "--seconds", "3")
         withClue(blinked.printed) {
             blinked.status shouldBe 0
             blinked.printed shouldContain "LED on"

@@ -26,7 +26,7 @@ class CollisionSpec : FunSpec({
 
     context("at 9600 baud the agent stops the robot in front of the wall with the filter") {
         listOf("none", "frontSide", "frontDistance").forEach { filter ->
-            test(filter) {
+            test(filter).config(tags = if (filter == "none") emptySet() else thorough) {
                 val (status, printed) = Program.run("collision", "--filter", filter, "--limit", "180")
                 val (distance, limit) = withClue(printed) { stopped.find(printed).shouldNotBeNull().destructured }
                 limit shouldBe "180"
@@ -80,7 +80,7 @@ class CollisionSpec : FunSpec({
         status shouldBe 1
     }
 
-    test("a port is taken as it is written, whatever characters it holds") {
+    test("a port is taken as it is written, whatever characters it holds").config(tags = thorough) {
         val (status, printed) = Program.run("collision", "--port", """\\.\COM"10""")
         printed shouldContain """there is no port \\.\COM"10"""
         Files.delete(logNamedIn(printed))
