@@ -94,6 +94,7 @@ public final class Poms {
     private final File root;
     private final Map<String, String> given;
     private final Element parent;
+    private final Map<String, Element> managed = new HashMap<>(); // by group:name
 
     /**
      * Reads the POM in the folder {@code root}.
@@ -104,6 +105,8 @@ public final class Poms {
         this.root = root;
         this.given = given;
         this.parent = pom(root);
+        at(parent, "dependencyManagement/dependencies/dependency")
+                .forEach(it -> managed.put(text(it, "groupId", parent) + ":" + text(it, "artifactId", parent), it));
     }
 
     public String group() {
@@ -154,11 +157,7 @@ public final class Poms {
         String group = text(it, "groupId", pom);
         String name = text(it, "artifactId", pom);
         refuse(it, "for the dependency " + name, UNKNOWN);
-        List<Element> declared = Stream.concat(
-                        Stream.of(it),
-                        at(parent, "dependencyManagement/dependencies/dependency")
-                                .filter(each -> text(each, "groupId", parent).equals(group)
-                                        && text(each, "artifactId", parent).equals(name)))
+        List<Element> declared = Stream.concat(Stream.of(it), Stream.ofNullable(managed.get(group + ":" + name)))
                 .toList();
         String scope = at(it, "scope").map(Element::getTextContent).findAny().orElse("compile");
         return new Dependency(
