@@ -136,6 +136,7 @@ exchange-defects:
 	python3 tests/exchange.py --defects
 
 differential: $(HOST)/driven
+	python3 tests/driven_vectors.py $<
 	python3 tests/differential.py $<
 
 # ---- other families ----
