@@ -78,8 +78,8 @@ class FrontDoorSpec : FunSpec({
         test("./argo format $option says first what it does and how long that takes") {
             val folder = tempdir().toPath()
             val java = "${System.getProperty("java.home")}/bin/java"
-            // runs Maven, but no formatter
-            val formatters = "#!/bin/sh\ncase \"\$*\" in *ktlint*|*palantir*) ;; *) exec '$java' \"\$@\" ;; esac\n"
+            // runs Maven, but no formatter; one that fails, so that no source counts as formatted
+            val formatters = "#!/bin/sh\ncase \"\$*\" in *ktlint*|*palantir*) exit 1 ;; *) exec '$java' \"\$@\" ;; esac\n"
             folder.resolve("java").apply { writeText(formatters) }.toFile().setExecutable(true)
             val command = "PATH=$folder:\$PATH exec bash ../argo format $option"
             val process = ProcessBuilder("bash", "-c", command).redirectErrorStream(true).start()
