@@ -27,7 +27,7 @@ class BundleSpec : FunSpec({
         return bash.inputStream.readBytes().decodeToString().let { bash.waitFor() to it }
     }
 
-    val key = "mkdir -m 700 \"\$GNUPGHOME\"; gpg --batch --quiet --passphrase '' --quick-generate-key test default default never"
+    val key = "mkdir -m 700 \"\$GNUPGHOME\"; gpg --batch --quiet --passphrase '' --quick-generate-key test ed25519 default never"
     val end = "gpgconf --kill gpg-agent" // the test deletes the agent's folder
 
     /** Adds a library to [tree] in the form in which `dist` packs libraries. */
