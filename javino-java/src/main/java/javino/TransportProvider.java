@@ -35,22 +35,13 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns one address for all the addresses of one device. A device with two names then has one owner.
+     * Returns one name for all the names of one device, even names with other schemes. A device with two names then has one owner. If the
+     * device belongs to another provider, returns that provider's name for the device.
      *
-     * @return by default {@code address} itself
-     */
-    default String canonicalAddress(String address) {
-        return address;
-    }
-
-    /**
-     * Returns one name for all the names of one device, even names with other schemes. If the device belongs to another provider, returns
-     * that provider's name for the device.
-     *
-     * @return by default the scheme and the {@linkplain #canonicalAddress canonical address}
+     * @return by default the name from {@link #port}
      */
     default String canonicalName(String address) {
-        return port(canonicalAddress(address));
+        return port(address);
     }
 
     /**

@@ -25,8 +25,8 @@ public final class SerialTransportProvider implements TransportProvider {
     }
 
     @Override
-    public String canonicalAddress(String address) {
-        return SerialDevice.of(address).canonicalAddress();
+    public String canonicalName(String address) {
+        return port(SerialDevice.of(address).canonicalAddress());
     }
 
     @Override

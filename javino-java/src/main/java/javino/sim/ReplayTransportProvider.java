@@ -40,12 +40,12 @@ public final class ReplayTransportProvider implements TransportProvider {
     }
 
     @Override
-    public String canonicalAddress(String address) {
+    public String canonicalName(String address) {
         try {
             Path file = Path.of(address);
-            return (Files.exists(file) ? file.toRealPath() : file).toString();
+            return port((Files.exists(file) ? file.toRealPath() : file).toString());
         } catch (IOException | InvalidPathException e) {
-            return address;
+            return port(address);
         }
     }
 }

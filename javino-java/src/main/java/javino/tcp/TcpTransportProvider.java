@@ -31,11 +31,11 @@ public class TcpTransportProvider implements TransportProvider {
     }
 
     @Override
-    public String canonicalAddress(String address) {
+    public String canonicalName(String address) {
         try {
-            return TcpAddress.of(port(address), address).canonical();
+            return port(TcpAddress.of(port(address), address).canonical());
         } catch (NoSuchPortException e) {
-            return address;
+            return port(address);
         }
     }
 
