@@ -90,7 +90,7 @@ class UsbPortSpec : FunSpec({
 
     test("the second names that macOS has for its devices are left out") {
         val out = UNO.at("cu.usbmodem1")
-        UsbDevices.onceEach(listOf(UNO.at("tty.usbmodem1"), out, CLONE.at("tty.other"))) shouldBe
+        UsbTransportProvider.onceEach(listOf(UNO.at("tty.usbmodem1"), out, CLONE.at("tty.other"))) shouldBe
             listOf(out, CLONE.at("tty.other"))
     }
 
