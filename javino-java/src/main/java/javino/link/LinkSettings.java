@@ -1,7 +1,6 @@
 package javino.link;
 
 import java.util.Objects;
-import javino.Frame;
 import javino.LineSettings;
 import javino.Protocol;
 
@@ -17,26 +16,15 @@ import javino.Protocol;
  * @param boardQueue received messages that the board can hold, at least 1; most version 1 boards hold one
  * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs already
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1
- * @param messageLimit the most bytes of a message from a version 2 board, at least 255; longer messages are dropped
  */
 public record LinkSettings(
-        int baud,
-        boolean paced,
-        int spacingMillis,
-        int boardQueue,
-        int bootMillis,
-        Protocol protocol,
-        int messageLimit) {
-    /** The default limit for a message from a version 2 board, in bytes. */
-    public static final int DEFAULT_MESSAGE_LIMIT = 65_536;
-
+        int baud, boolean paced, int spacingMillis, int boardQueue, int bootMillis, Protocol protocol) {
     public LinkSettings {
         requireAtLeast("baud", 1, baud);
         requireAtLeast("spacingMillis", 0, spacingMillis);
         requireAtLeast("boardQueue", 1, boardQueue);
         requireAtLeast("bootMillis", 0, bootMillis);
         Objects.requireNonNull(protocol, "protocol");
-        requireAtLeast("messageLimit", Frame.MAX_PAYLOAD, messageLimit);
     }
 
     private static void requireAtLeast(String what, int least, int found) {
@@ -50,42 +38,37 @@ public record LinkSettings(
      * starts within 3 s.
      */
     public static LinkSettings defaults() {
-        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 2, 1, 3000, Protocol.AUTO, DEFAULT_MESSAGE_LIMIT);
+        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 2, 1, 3000, Protocol.AUTO);
     }
 
     /** Returns these settings at another baud rate. */
     public LinkSettings withBaud(int value) {
-        return new LinkSettings(value, paced, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
+        return new LinkSettings(value, paced, spacingMillis, boardQueue, bootMillis, protocol);
     }
 
     /** Returns these settings with pacing on or off. */
     public LinkSettings withPaced(boolean value) {
-        return new LinkSettings(baud, value, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
+        return new LinkSettings(baud, value, spacingMillis, boardQueue, bootMillis, protocol);
     }
 
     /** Returns these settings with another spacing, in milliseconds. */
     public LinkSettings withSpacingMillis(int value) {
-        return new LinkSettings(baud, paced, value, boardQueue, bootMillis, protocol, messageLimit);
+        return new LinkSettings(baud, paced, value, boardQueue, bootMillis, protocol);
     }
 
     /** Returns these settings for a board that holds {@code value} messages. */
     public LinkSettings withBoardQueue(int value) {
-        return new LinkSettings(baud, paced, spacingMillis, value, bootMillis, protocol, messageLimit);
+        return new LinkSettings(baud, paced, spacingMillis, value, bootMillis, protocol);
     }
 
     /** Returns these settings for a board that starts within {@code value} milliseconds. */
     public LinkSettings withBootMillis(int value) {
-        return new LinkSettings(baud, paced, spacingMillis, boardQueue, value, protocol, messageLimit);
+        return new LinkSettings(baud, paced, spacingMillis, boardQueue, value, protocol);
     }
 
     /** Returns these settings with another protocol. */
     public LinkSettings withProtocol(Protocol value) {
-        return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, value, messageLimit);
-    }
-
-    /** Returns these settings with another limit for messages, in bytes. */
-    public LinkSettings withMessageLimit(int value) {
-        return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, protocol, value);
+        return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, value);
     }
 
     /** The settings of the serial line. */

@@ -22,6 +22,8 @@ import javino.wire.WireFrame;
  */
 final class Version2Session implements SessionListener<Command>, Inbox.Listener {
     private static final int NONE = -1;
+    /** The most bytes of an answer. Longer answers are dropped. */
+    private static final int ANSWER_LIMIT = 65_536;
 
     private final Monitor monitor;
     private final LineClock clock;
@@ -29,7 +31,6 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private final BoardStatus board;
     private final LineReports reports;
     private final String port;
-    private final int answerLimit;
     private final ComputerSession<Command> session;
     private final CommandFailures failures;
     private volatile long movedNanos; // time of the board's last frame while a session is possible
@@ -60,10 +61,9 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         this.board = board;
         this.reports = reports;
         this.port = port;
-        answerLimit = settings.messageLimit();
         movedNanos = clock.nanos();
         session = new ComputerSession<>(
-                settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
+                settings.line().byteNanos(), ANSWER_LIMIT, new SplittableRandom(clock.nanos()), this);
         failures = new CommandFailures(port, session);
         if (board.mustSpeak2()) {
             session.open(clock.nanos());
@@ -264,7 +264,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         if (!hasDropped) {
             hasDropped = true;
             reports.warn(
-                    "port " + port + " sent percepts of more than " + answerLimit
+                    "port " + port + " sent percepts of more than " + ANSWER_LIMIT
                             + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
     }
