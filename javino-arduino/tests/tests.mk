@@ -3,7 +3,6 @@
 #   make host      the tests on this machine, under the sanitizers
 #   make vectors   the vectors of the protocol against the reference
 #   make model     both ends of the protocol explored exhaustively
-#   make exchange  both ends of the reference over a line that harms bytes; with exchange-defects each of its defects is found
 #   make tls       the example TlsRobot with mbedTLS, against a TLS client
 #   make posix     the example for other families, compiled and run
 #   make fuzz      the libFuzzer target (clang); run build/fuzz/decoder
@@ -128,12 +127,6 @@ vectors:
 model:
 	python3 tests/model.py
 	python3 tests/model.py --mutations
-
-exchange:
-	python3 tests/exchange.py
-
-exchange-defects:
-	python3 tests/exchange.py --defects
 
 differential: $(HOST)/driven
 	python3 tests/driven_vectors.py $<
