@@ -27,8 +27,10 @@ data class Difference(
     /** True if only the result of the project's action or function differs. The replay then used the recorded result and continued. */
     val isOfResult: Boolean get() = what.startsWith(RESULT)
 
-    override fun toString() =
-        "agent $agent, cycle $cycle, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
+    /** The difference in words, without the agent. */
+    internal val words get() = "cycle $cycle, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
+
+    override fun toString() = "agent $agent, $words"
 
     internal companion object {
         const val RESULT = "result of "

@@ -36,7 +36,6 @@ class Replay(
     private val stopped = HashSet<String>()
     private val differing = ArrayList<Difference>()
     private val refusing = ArrayList<RefusedCycle>()
-    private var underWay = ""
 
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
@@ -101,7 +100,6 @@ class Replay(
     }
 
     private fun runCycle(agent: String, cycle: Cycle) {
-        underWay = agent
         try {
             agents.getValue(agent).run(cycle)
         } catch (_: StackOverflowError) {
@@ -122,9 +120,9 @@ class Replay(
     /** Returns the current beliefs of [agent] in Jason's notation, without rules and without beliefs that Jason hides. */
     fun beliefs(agent: String): List<String> = shownBeliefs(agents.getValue(agent).ts.ag.bb)
 
-    private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {
-        differing += Difference(underWay, cycle.number, cycle.ns, what, recorded, now, cause)
-        if (!differing.last().isOfResult) stopped += underWay
+    private fun found(difference: Difference) {
+        differing += difference
+        if (!difference.isOfResult) stopped += difference.agent
     }
 
     override fun close() {

@@ -22,12 +22,12 @@ internal class ReplayedAgent(
     private val recording: Recording,
     val recorded: RecordedAgent,
     programs: ProgramFiles,
-    private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
+    private val found: (Difference) -> Unit,
     private val isChecking: Boolean = false,
     observers: Map<String, String> = emptyMap(),
     boundaryOf: (ReplayedInputs, RecordedAnswers) -> Boundary = { inputs, _ -> inputs },
 ) : AutoCloseable {
-    private val answers = RecordedAnswers(isChecking) { what, before, now, cause -> report(what, before, now, cause) }
+    private val answers = RecordedAnswers(isChecking, ::report)
     private val inputs = ReplayedInputs(answers)
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem =
@@ -60,7 +60,7 @@ internal class ReplayedAgent(
     }
 
     private fun report(what: String, before: String?, now: String?, cause: String?): Unit =
-        found(inputs.cycle, what, before, now, cause ?: likelyCause())
+        found(Difference(recorded.name, inputs.cycle.number, inputs.cycle.ns, what, before, now, cause ?: likelyCause()))
 
     private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
         seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and its work within a cycle is not recorded"

@@ -45,6 +45,15 @@ internal class RecordedPercepts : ReplayedPercepts {
     }
 }
 
+/** Perceives the recorded percepts. From the cycle with the index [from] on, [changed] changes the agent's percepts. */
+internal class AlteredPercepts(
+    private val from: Long,
+    private val changed: (List<Literal>) -> List<Literal>,
+    private val recorded: ReplayedPercepts = RecordedPercepts(),
+) : ReplayedPercepts by recorded {
+    override fun perceive(cycle: Cycle): List<Literal>? = recorded.perceive(cycle)?.let { if (cycle.index < from) it else changed(it) }
+}
+
 /** Returns [percepts] as they are after this change. [read] makes a literal of a text. */
 internal fun PerceptChange.appliedTo(percepts: List<Literal>, read: (String) -> Literal = ::literalOf): List<Literal> =
     percepts.take(keep) + now.map(read) + percepts.takeLast(keepLast)

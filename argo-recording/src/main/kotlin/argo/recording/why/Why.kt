@@ -4,9 +4,15 @@ import argo.filters.matching.Explanation
 import argo.recording.Cycle
 import argo.recording.Mail
 import argo.recording.agent.literalOf
+import argo.recording.replay.AlteredPercepts
+import argo.recording.replay.Difference
 import argo.recording.replay.ProgramFiles
+import argo.recording.replay.RecordedAnswers
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
+import argo.recording.replay.ReplayedAgent
+import argo.recording.replay.ReplayedInputs
+import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
 
 /**
@@ -43,8 +49,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     /** Explains a reflex without counterfactuals. A replay does not carry out reflexes, so it cannot show the effect of another percept. */
     private fun reflexAnswer(command: RecordedCommand): Answer {
         val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
-        val cycles = replayable(command.agent, cyclesOf(command.agent))
-        val reflex = ReflexFrames(cycles, filtersOf(command.agent), clock).cause(command, end)
+        val reflex = ReflexFrames(replayable(command.agent), filtersOf(command.agent), clock).cause(command, end)
         return Answer(command, null, reflex, reflex.percept?.frame, reflex.frames())
     }
 
@@ -77,9 +82,8 @@ class Why(private val recording: Recording) : AutoCloseable {
         requireReplayed(agent, last.index)
         val filters = filtersOf(agent)
         val unchosen = UnchosenPlans(question) { port, text -> filters.explain(port, text)?.toString() }
-        lateinit var trace: Trace
-        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs, answers ->
-            Trace(inputs, answers, clock, filters, unchosen::taken).also { trace = it }
+        val trace = replayed(agent, last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs, answers ->
+            Trace(inputs, answers, clock, filters, unchosen::taken)
         }
         return NotAnswer(agent, question.text, clock.seconds(last.ns), unchosen.plans(trace))
     }
@@ -103,10 +107,38 @@ class Why(private val recording: Recording) : AutoCloseable {
         trace(command.agent, command.index).issued.getOrNull(replayedBefore(command))?.cause
 
     private fun trace(agent: String, last: Long): Trace {
-        val cycles = cyclesOf(agent)
         requireReplayed(agent, last)
         val filters = filtersOf(agent)
-        return trial(agent, cycles).asRecorded(last) { inputs, answers -> Trace(inputs, answers, clock, filters) }
+        return replayed(agent, last) { inputs, answers -> Trace(inputs, answers, clock, filters) }
+    }
+
+    /**
+     * Runs [agent] on its recorded input up to the cycle with the index [last], and calls [ran] after each cycle. Returns the trace that
+     * [traceOf] makes.
+     *
+     * @throws RecordingException if the agent's course differs from the recorded one
+     */
+    private fun replayed(
+        agent: String, last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace,
+    ): Trace {
+        val cycles = replayable(agent).takeWhile { it.index <= last }
+        lateinit var trace: Trace
+        var differing: Difference? = null
+        ReplayedAgent(
+            recording, recording.agents.getValue(agent), programs,
+            found = { if (!it.isOfResult) differing = differing ?: it },
+            boundaryOf = { inputs, answers ->
+                trace = traceOf(inputs, answers)
+                trace.apply { recording.start(agent)?.let(::beginAt) }
+            },
+        ).use { replayed ->
+            for (cycle in cycles) {
+                replayed.run(cycle)
+                ran(trace)
+                differing?.let { throw RecordingException("the replay of agent $agent differs from the recording at ${it.words}") }
+            }
+        }
+        return trace
     }
 
     /** Replays the agent with [percept] in place of [of]. Returns null if [of] is [percept] itself. */
@@ -116,7 +148,10 @@ class Why(private val recording: Recording) : AutoCloseable {
         val from = cycles.first { it.index == command.index || of?.isIn(it) == true }
         val before = ofPlans(command.agent).filter { it.index in from.index..command.index && it.number <= command.number }
         val isDropped = isDropped(command.agent, percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
-        val now = trial(command.agent, cycles).changed(from, command.index) { replaced(it, percept, isDropped) }
+        val percepts = AlteredPercepts(from.index, { replaced(it, percept, isDropped) })
+        val inputs = replayable(command.agent).asSequence().takeWhile { it.index <= command.index }
+        // recorded commands have their recorded outcomes, all others end at once
+        val now = WhatIf(recording, command.agent, null, percepts, inputs, usualNs = 0).use { it.commandsFrom(from.ns) }
         val times = before.count { it.text == command.text }
         return Had(
             keyOf(percept), of?.belief, clock.seconds(from.ns), command.seconds,
@@ -157,9 +192,6 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun cyclesOf(agent: String) =
         cycles[agent] ?: throw RecordingException("there is no agent $agent; those that there are: ${cycles.keys.joinToString()}")
 
-    private fun trial(agent: String, cycles: List<Cycle>) =
-        Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
-
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
         return ofPlans(command.agent).count { it.index > start && it.number < command.number }
@@ -167,8 +199,10 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun ofPlans(agent: String) = commandsOf[agent]?.all.orEmpty().filter { it.by == Sender.PLAN }
 
-    private fun replayable(agent: String, cycles: List<Cycle>) =
-        recording.start(agent).let { start -> if (start == null) cycles else cycles.filter { it.index > start.index } }
+    private fun replayable(agent: String): List<Cycle> {
+        val start = recording.start(agent)?.index ?: return cyclesOf(agent)
+        return cyclesOf(agent).filter { it.index > start }
+    }
 
     /** Refuses the cycle with the index [cycle] if it comes before the key frame at which the replay of [agent] begins. */
     private fun requireReplayed(agent: String, cycle: Long) {
