@@ -24,5 +24,3 @@ internal class DecoderProbe(private val timeoutNanos: Long = 100) {
 
     fun texts(): List<String> = delivered.map { it.text() }
 }
-
-internal fun decoded(text: String): List<String> = DecoderProbe().feed(text).silence().texts()

@@ -6,49 +6,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
+/** What the vectors do not tell of the decoder, see [VectorsSpec]. */
 class FrameDecoderSpec : FunSpec({
-    test("a frame is delivered with its last byte") {
-        DecoderProbe().feed("fffe05hello").texts() shouldContainExactly listOf("hello")
-        DecoderProbe().feed("fffe05hell").texts().shouldBeEmpty()
-    }
-
-    test("the length is read in either case") {
-        decoded("fffe0aabcdefghij") shouldContainExactly listOf("abcdefghij")
-        decoded("fffe0Aabcdefghij") shouldContainExactly listOf("abcdefghij")
-    }
-
-    test("an empty message is delivered") {
-        decoded("fffe00fffe00") shouldContainExactly listOf("", "")
-    }
-
-    test("stray characters in front of the preamble cost nothing") {
-        for (stray in listOf("f", "x", "ff", "ffe", "fff", "fffx", "fffe", "fffe0", "fffeX", "fffe0x", "\u0000\u00ff")) {
-            decoded(stray + "fffe05hello").last() shouldBe "hello"
-        }
-    }
-
-    test("a frame that was cut gives way to the one behind it") {
-        decoded("fffe0Ahelfffe05hello").last() shouldBe "hello"
-    }
-
-    test("a length that was damaged upwards does not cost the frames it swallowed") {
-        decoded("fffe25hellofffe05thesefffe05threefffe05wordsxx") shouldContainExactly
-            listOf("hellofffe05thesefffe05threefffe05word", "these", "three", "words")
-    }
-
-    test("a length that was damaged downwards costs its own frame only") {
-        decoded("fffe03hellofffe05world") shouldContainExactly listOf("hel", "world")
-    }
-
-    test("the text of a frame inside a payload is payload") {
-        decoded("fffe0Bfffe05hellofffe05world") shouldContainExactly listOf("fffe05hello", "world")
-        decoded("fffe0Dfffe05hello..") shouldContainExactly listOf("fffe05hello..")
-    }
-
-    test("the beginning of a header behind a frame, and then silence, puts the frame in doubt") {
-        decoded("fffe0Cfffe05hello.ff") shouldContainExactly listOf("fffe05hello.", "hello")
-    }
-
     test("a frame that stops half-way is given up after the inter-byte timeout") {
         DecoderProbe().feed("fffe05hel").silence().feed("lo").texts().shouldBeEmpty()
         DecoderProbe().feed("fffe05hel").silence().feed("fffe05world").texts() shouldContainExactly listOf("world")
@@ -67,10 +26,6 @@ class FrameDecoderSpec : FunSpec({
         val decoder = FrameDecoder(100) { frames += it.text() }
         "fffe05hello".forEachIndexed { i, c -> decoder.accept(c.code.toByte(), 100L * i) }
         frames shouldContainExactly listOf("hello")
-    }
-
-    test("complete frames inside one that is given up are delivered") {
-        DecoderProbe().feed("fffeFFhelfffe05hello").silence().texts() shouldContainExactly listOf("hello")
     }
 
     test("a reader that was held up does not cut a frame in two") {

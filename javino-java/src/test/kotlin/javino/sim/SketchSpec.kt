@@ -8,14 +8,21 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.Frame
 import javino.FrameDecoder
+import javino.LineClock
 import javino.PerceptKind
 import javino.PortException
 import javino.Protocol
 import javino.Transport
 import javino.Transports
+import javino.link.BoardListener
 import javino.link.Link
 import javino.link.LinkSettings
+import javino.link.SendOptions
 import javino.logged
+import javino.wire.BoardAction
+import javino.wire.BoardRule
+import javino.wire.ReflexOutcome
+import java.util.concurrent.atomic.AtomicInteger
 
 private const val LIMIT_MS = 20_000
 private val SETTINGS = LinkSettings.defaults().withBaud(1_000_000).withBootMillis(0)
@@ -29,7 +36,7 @@ private class Wall(private val shown: () -> List<String>) : Sketch {
     override fun act(command: String) = (command == "stop").also { if (it) commands += command }
 }
 
-private fun plugged(sketch: Sketch, use: () -> Unit) {
+private fun plugged(sketch: SimulatedBoard, use: () -> Unit) {
     SimulatedBoards.plugIn("sketch", sketch)
     try {
         use()
@@ -38,7 +45,7 @@ private fun plugged(sketch: Sketch, use: () -> Unit) {
     }
 }
 
-private fun plugged(sketch: Sketch, protocol: Protocol, use: (Link) -> Unit) =
+private fun plugged(sketch: SimulatedBoard, protocol: Protocol, use: (Link) -> Unit) =
     plugged(sketch) { Link.open("sim:sketch", SETTINGS.withProtocol(protocol), "the test").use(use) }
 
 private fun pluggedWithoutLink(sketch: Sketch, use: (Transport) -> Unit) =
@@ -67,6 +74,35 @@ class SketchSpec : FunSpec({
         for ((sketch, expected) in listOf(described to kinds, Wall { listOf("dist(front,9)") } to emptyList())) {
             plugged(sketch, Protocol.V2) { it.perceptDescription(LIMIT_MS).kinds() shouldBe expected }
         }
+    }
+
+    test("it tells its actions, and watches a rule if it is run with room for one") {
+        val cm = AtomicInteger(90)
+        val wall = Wall { listOf("dist($cm)") }
+        val sketch = object : Sketch by wall {
+            override fun actions() = listOf(BoardAction("stop", 0))
+        }
+        val reports = ArrayList<String>()
+        val listener = object : BoardListener {
+            override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
+                reports += "$rule $outcome $percept"
+            }
+
+            override fun sessionBegan(rules: Int) = Unit
+        }
+        plugged(SimulatedBoard { sketch.run(it, LineClock.system(), 1) }, Protocol.V2) { link ->
+            link.onBoardEvents(listener)
+            while (link.vocabulary().isEmpty) link.request("getPercepts", LIMIT_MS)
+            link.vocabulary().get() shouldBe sketch.actions()
+            val near = BoardRule("dist", listOf(BoardRule.Condition(1, BoardRule.Operator.LESS, "40")), "stop")
+            val set = link.sendRule(near.setting(1), SendOptions.defaults())
+            while (!set.isDone) link.watch(10)
+            set.join()
+            cm.set(39)
+            while (reports.isEmpty()) link.watch(10)
+        }
+        reports shouldContainExactly listOf("1 CARRIED_OUT dist(39);")
+        wall.commands shouldContainExactly listOf("stop")
     }
 
     test("a command that it does not have is refused in version 2, and has no effect in version 1") {
