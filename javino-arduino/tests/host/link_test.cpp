@@ -53,36 +53,6 @@ TEST_CASE("version 1 is never acknowledged") {
   CHECK(c.sent() == "");
 }
 
-TEST_CASE("HELLO with the nonce 0 ends the session") {
-  Conversation c;
-  c.begin();
-  c.hear(command(0, "front"));
-  c.finish();
-  c.poll();
-  c.sent();
-  c.hear(hello(0));
-  CHECK(c.sent() == frame2(0x80, 0, std::string{0, JAVINO_CREDIT, octet(255), 0, 1, 0}));
-  CHECK(c.hear(frame1("getPercepts") + frame1("ledOn")) == JAVINO_REQUEST);
-  javino_board_answer(&c.board);
-  CHECK(c.sent() == frame1(""));
-  CHECK(c.poll() == JAVINO_ACTION);
-}
-
-TEST_CASE("HELLO that comes twice changes nothing") {
-  Conversation c;
-  c.begin();
-  c.hear(command(0, "front"));
-  c.finish();
-  c.poll();
-  c.sent();
-  c.hear(hello());
-  auto frames = frames2(c.sent());
-  REQUIRE(frames.size() == 1);
-  CHECK(frames[0].kind == 0x80);
-  CHECK(frames[0].number == 1);
-  CHECK(c.hear(command(1, "left")) == JAVINO_ACTION);
-}
-
 TEST_CASE("frames of another session are damaged") {
   Conversation c;
   c.begin(9);
@@ -114,17 +84,6 @@ TEST_CASE("WELCOME says what the board takes, and which actions found no room") 
   CHECK(small.hear(frame2(0x30, 0, item(std::string(longest - 1, '\xA5')))) == JAVINO_ACTION);
 }
 
-TEST_CASE("a board without a session says so and does nothing") {
-  Conversation c;
-  for (const std::string &bytes : {command(0, "stop"), ask(1), describe(1), frame2(0x31, 0)}) {
-    CHECK(c.hear(bytes) == JAVINO_NOTHING);
-    auto frames = frames2(c.sent());
-    REQUIRE(frames.size() == 1);
-    CHECK(frames[0].kind == 0x80);
-    CHECK(frames[0].payload[0] == 0);
-  }
-}
-
 TEST_CASE("commands are handed out one by one and acknowledged together") {
   Conversation c;
   c.actions = {{"front", 0}, {"left", 0}};
@@ -152,21 +111,6 @@ TEST_CASE("a repeated command is acknowledged and not handed out again") {
     CHECK(c.sent() == ack(1) + ack(1) + ack(1));
   }
   CHECK(c.hear(command(1, "toggle")) == JAVINO_ACTION);
-}
-
-TEST_CASE("an unknown command holds what is behind it until RESUME") {
-  Conversation c;
-  c.begin();
-  CHECK(c.hear(frame2(0x30, 0, item("fly") + item("stop"))) == JAVINO_ACTION);
-  c.finish(false);
-  CHECK(c.poll() == JAVINO_NOTHING);
-  CHECK(c.sent() == ack(1, REFUSED));
-  CHECK(c.hear(command(1, "stop")) == JAVINO_NOTHING);
-  CHECK(c.hear(frame2(0x31, 0, item("fly") + item("stop"))) == JAVINO_NOTHING);
-  CHECK(c.sent() == ack(1, REFUSED) + ack(1, REFUSED));
-  CHECK(c.hear(frame2(0x31, 1, item("stop"))) == JAVINO_ACTION);
-  c.poll();
-  CHECK(c.sent() == ack(2));
 }
 
 TEST_CASE("a number that is none of the vocabulary's is refused, and so is any where there is none") {

@@ -119,18 +119,6 @@ TEST_CASE("actions may be named before and behind the call that has rules watche
   CHECK(stops == 3);
 }
 
-TEST_CASE("a new session forgets the rules") {
-  Robot r;
-  r.set(rule(3, "dist", {"2<40"}, "stop"));
-  r.run(hello(9));
-  distance = 1;
-  CHECK(r.run("", 100) == "");
-  CHECK(stops == 0);
-  r.due = 0;
-  CHECK(r.set(rule(3, "dist", {"2<40"}, "stop")) == ack(1));
-  CHECK(r.run("", 5) == critical(1, 3, 1, "dist(f,1);"));
-}
-
 TEST_CASE("an unknown reflex and none are told") {
   Robot r;
   r.set(rule(1, "dist", {"2<40"}, "fly"));
@@ -153,16 +141,6 @@ TEST_CASE("rules find room as far as there is memory, and replace those of their
   CHECK(r.takes("\x02"));
   CHECK(r.takes(rule(2, "dist", {"2<40"}, "stop")));
   CHECK(r.takes(std::string(1, '\0')));
-  distance = 1;
-  CHECK(r.run("", 5) == "");
-}
-
-TEST_CASE("a text is no rule, whatever it begins with") {
-  Robot r;
-  for (const std::string &text : {rule(1, "dist", {"2<99"}, "stop"), "\x01" + rule(1, "dist", {"2<99"}, "stop"), std::string("\x01")}) {
-    CHECK(r.run(frame2(0x31, r.due, item(text))) == ack(r.due + 1, REFUSED));
-    r.due++;
-  }
   distance = 1;
   CHECK(r.run("", 5) == "");
 }
