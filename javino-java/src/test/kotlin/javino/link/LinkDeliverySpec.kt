@@ -107,16 +107,6 @@ class LinkDeliverySpec : FunSpec({
         }
     }
 
-    test("a refused command does not hold up those that were sent behind it") {
-        val board = VirtualBoard2()
-        bench(board).use { bench ->
-            val sent = listOf("a", "bad", "b").map { bench.link.send(it, SendOptions.defaults()) }
-            bench.link.sendAndAwait("c", 500)
-            sent.map { it.isCompletedExceptionally } shouldContainExactly listOf(false, true, false)
-            board.handled shouldContainExactly listOf("2:a", "2:b", "2:c")
-        }
-    }
-
     test("the same action can be sent any number of times, with requests in between") {
         val board = VirtualBoard2()
         bench(board).use { bench ->
@@ -162,22 +152,6 @@ class LinkDeliverySpec : FunSpec({
     test("an answer of several frames comes whole") {
         bench(VirtualBoard2().apply { answer = { "x".repeat(it * 200) + ";" } }).use { bench ->
             repeat(4) { bench.link.request(REQUEST, 5_000).text().length shouldBe (it + 1) * 200 + 1 }
-        }
-    }
-
-    test("of an answer that lacks a part nothing comes through, and it is asked for again") {
-        for (lost in 0..2) {
-            var parts = 0
-            val board = VirtualBoard2()
-            board.answer = { n -> "$n".repeat(600).chunked(200).joinToString(";") + ";" }
-            board.posting = { if ("PERCEPTS" in it.kind().name && parts++ == lost) emptyList() else listOf(it) }
-            bench(board).use { bench ->
-                repeat(3) {
-                    val text = bench.link.request(REQUEST, 5_000).text().replace(";", "")
-                    text.length shouldBe 600
-                    text.toSet().size shouldBe 1
-                }
-            }
         }
     }
 

@@ -69,13 +69,6 @@ class BoardSessionSpec : FunSpec({
         bench.sent shouldContainExactly listOf(WireFrame(FrameKind.ACK, true, false, 1, ""))
     }
 
-    test("numbers of commands wrap, and a repetition from before the wrap is passed over") {
-        val bench = Bench().apply { hello() }
-        repeat(300) { bench.command(it % 256, "c$it") }
-        for (number in 300 - 128 until 300) bench.command(number % 256, "again")
-        bench.carried shouldBe List(300) { "c$it" }
-    }
-
     test("a percept of more than 253 bytes meets no rule") {
         fun percept(size: Int) = "say(\"" + "x".repeat(size - 8) + "\");"
         for (size in listOf(253, 254)) {

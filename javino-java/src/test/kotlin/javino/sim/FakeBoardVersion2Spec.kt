@@ -80,13 +80,6 @@ class FakeBoardVersion2Spec : FunSpec({
         }.message shouldContain "nobody expected: \"b\""
     }
 
-    test("a board without a session says so, and carries nothing out") {
-        withBoard { board, computer ->
-            computer.command("ledOn").let { Welcome.read(it.payload()).nonce() } shouldBe 0
-            board.received() shouldBe emptyList()
-        }
-    }
-
     test("it knows no actions unless told") {
         withBoard { _, computer ->
             VocabularyPage.read(computer.hello().exchange(FrameKind.DESCRIBE, 1, "\u0000").payload()).total() shouldBe 0
