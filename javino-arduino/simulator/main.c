@@ -172,8 +172,7 @@ static bool advance(simulator *s)
 static void take_bytes(simulator *s)
 {
     uint8_t bytes[256];
-    unsigned room = board_room(&s->board);
-    size_t count = line_read(&s->line, bytes, room < sizeof bytes ? room : sizeof bytes, board_baud(&s->board));
+    size_t count = line_read(&s->line, bytes, sizeof bytes, board_baud(&s->board));
     size_t i;
     for (i = 0; i < count; i++)
         board_receive(&s->board, bytes[i]);
@@ -182,8 +181,7 @@ static void take_bytes(simulator *s)
 static void take_soft_bytes(simulator *s)
 {
     uint8_t bytes[256];
-    unsigned room = soft_room(&s->soft);
-    size_t count = line_read(&s->soft_line, bytes, room < sizeof bytes ? room : sizeof bytes, s->options.soft_baud);
+    size_t count = line_read(&s->soft_line, bytes, sizeof bytes, s->options.soft_baud);
     size_t i;
     for (i = 0; i < count; i++)
         soft_receive(&s->soft, bytes[i]);

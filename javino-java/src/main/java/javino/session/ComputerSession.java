@@ -276,7 +276,7 @@ public final class ComputerSession<C extends SessionCommand> {
             boolean isRefused = i == news - 1 && frame.isRefused();
             Window.Entry<C> entry = handled.get(i);
             CommandOutcome refusal = wasBusy && i == 0 ? CommandOutcome.FAILED : CommandOutcome.REFUSED;
-            CommandOutcome end = entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE;
+            CommandOutcome end = entry.isVoid ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE;
             listener.ended(entry.command, isRefused ? refusal : end);
         }
         if (window.size() == 0) {
@@ -394,7 +394,7 @@ public final class ComputerSession<C extends SessionCommand> {
                 break;
             }
             if (entry.command.isOver()) {
-                entry.markVoid();
+                entry.isVoid = true;
             }
         }
         if (row.isEmpty()) {
@@ -406,7 +406,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private CommandItem repetitionOf(Window.Entry<C> entry) {
-        boolean isVoid = entry.isVoid() || entry.command.isOver();
+        boolean isVoid = entry.isVoid || entry.command.isOver();
         return isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command);
     }
 

@@ -12,19 +12,11 @@ final class Window<C> {
 
     static final class Entry<C> {
         final C command;
-        private boolean isVoid;
+        /** Whether {@link CommandItem.Nothing} was sent in place of this command. */
+        boolean isVoid;
 
         Entry(C command) {
             this.command = command;
-        }
-
-        /** Records that {@link CommandItem.Nothing} was sent in place of this command. */
-        void markVoid() {
-            isVoid = true;
-        }
-
-        boolean isVoid() {
-            return isVoid;
         }
     }
 
