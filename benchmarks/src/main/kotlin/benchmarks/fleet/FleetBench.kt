@@ -35,7 +35,10 @@ private val ROWS: Map<String, () -> Boolean> = mapOf(
  */
 internal fun fleet(rows: List<String>): Boolean {
     val unknown = rows - ROWS.keys
-    require(unknown.isEmpty()) { "there is no row ${unknown.joinToString()}; there are ${ROWS.keys.joinToString()}" }
+    if (unknown.isNotEmpty()) {
+        System.err.println("there is no row ${unknown.joinToString()}; there are ${ROWS.keys.joinToString()}")
+        return false
+    }
     println(machine())
     return ROWS.filterKeys { rows.isEmpty() || it in rows }.map { (_, row) -> row() }.all { it }
 }
