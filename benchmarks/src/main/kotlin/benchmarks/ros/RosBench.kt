@@ -44,7 +44,11 @@ private fun ages(hz: Int, seconds: Int): String {
     val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // pairs of a time and the age of a message at that time
     acts.heard = { number, now, _ ->
         ages += now to now - published.getValue(number)
-        Thread.sleep(WORK_MS)
+        try {
+            Thread.sleep(WORK_MS)
+        } catch (_: InterruptedException) {
+            Thread.currentThread().interrupt() // the agent is stopped
+        }
     }
     var lateNanos = 0L
     CountingBridge(0, 0, hz) { published[it] = System.nanoTime() }.use { bridge ->
