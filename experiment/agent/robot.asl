@@ -50,6 +50,7 @@
 /* Plans: failures */
 
 -!config[error_msg(Why)] <- +trouble(Why).
+-!start[error(act_refused), error_msg(Why)] <- +trouble(Why).
 -!start[error_msg(Why)] <- +status(front); +trouble(Why). // the robot may have got the command
 +trouble(Why) <- .print(Why).
 
