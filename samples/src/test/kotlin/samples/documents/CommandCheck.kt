@@ -16,6 +16,9 @@ class CommandCheck(private val root: Path) {
     /** The commands in the usage text of `./argo`. */
     val verbs: Set<String> = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(usage).map { it.groupValues[1] }.toSet()
 
+    /** The commands of argo.jar. */
+    val tools: Set<String> get() = TOOLS().subcommands.keys
+
     fun problem(words: List<String>): String? {
         if (words.first().startsWith("JDK_JAVA_OPTIONS=")) return problem(words.drop(1))
         val rest = words.drop(1).filterNot { it in PLACEHOLDERS }

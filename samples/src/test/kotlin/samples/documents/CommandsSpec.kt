@@ -33,6 +33,13 @@ class CommandsSpec : FunSpec({
         wrong.forEach { withClue(it) { check.problem(it.split(" ")) shouldNotBe null } }
     }
 
+    test("./argo says of each command of the tools that it is one of them") {
+        (check.tools - check.verbs).forEach { tool ->
+            val said = ProcessBuilder("$root/argo", tool).start().errorReader().use { it.readText() }
+            said shouldBe "./argo: there is no command '$tool', but a tool: ./argo tools $tool\n"
+        }
+    }
+
     context("there is what is told in") {
         commands.filterValues { it.isNotEmpty() }.forEach { (document, told) ->
             test("$document") {
