@@ -123,6 +123,7 @@ class FrontDoorSpec : FunSpec({
         "site here" to "site takes --into FOLDER or nothing, not: here", "dist here" to "dist takes --bundle or nothing, not: here",
         "install here" to "install takes no arguments, not: here", "explore" to "explore takes the .asl of an agent",
         "sample blinc" to "there is no sample 'blinc'; there are: blink, collision",
+        "new 2fast" to "a project's name begins with a letter and has ASCII letters, digits, - and _, unlike \"2fast\"",
     ).forEach { (line, reason) ->
         test("./argo $line is refused before anything is built") {
             val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
