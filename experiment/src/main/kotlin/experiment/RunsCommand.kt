@@ -7,6 +7,7 @@ import experiment.report.Provenance
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import java.io.IOException
+import java.nio.file.AccessDeniedException
 import java.nio.file.Path
 import java.time.Instant
 import kotlin.random.Random
@@ -100,8 +101,11 @@ internal abstract class RunsCommand<P, T, R : Any>(private val plans: List<P>) :
     } catch (refused: ContinuationException) {
         misuse(refused.message.orEmpty())
     } catch (unwritable: IOException) {
-        misuse("--out ${archive.directory} cannot be written to: $unwritable")
+        misuse("--out ${archive.directory} cannot be written to: ${words(unwritable)}")
     }
+
+    private fun words(unwritable: IOException): String? = // the message of the one exception is only a file's name
+        if (unwritable is AccessDeniedException) "this user has no permission for ${unwritable.file}" else unwritable.message
 
     /**
      * Returns the settings of the [present] experiment with the user's changes. If [present] is null, returns the settings of a new

@@ -87,7 +87,7 @@ class ExperimentSpec : FunSpec({
         arrayOf("--port", "ttyACM0", "--slowdown", "3") to "--slowdown is for simulated robots",
         arrayOf("--port", "ttyACM0", "--jobs", "3") to "--jobs is for simulated robots",
         arrayOf("--seed", "x") to "x is not a whole number",
-        arrayOf("--out", "/dev/null") to "cannot be written to",
+        arrayOf("--out", "/dev/null") to "--out /dev/null cannot be written to: /dev/null/runs: Not a directory",
     ).forEach { (arguments, why) ->
         test("${arguments.joinToString(" ")} is refused in words") {
             val printed = StringWriter()
