@@ -88,7 +88,11 @@ internal class FleetMas :
     } catch (unreadable: TokenMgrError) {
         throw FleetProjectException("${unreadable.message}; a name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
     } catch (unreadable: ParseException) {
-        throw FleetProjectException("it is no project: ${unreadable.message?.lineSequence()?.first()}")
+        val (before, found) = unreadable.currentToken.run { image to next?.image }
+        throw FleetProjectException(
+            if (before == "[" && found == "]") "the list of hosts is empty; without hosts([…]), computers of one network find each other"
+            else "it is no project: ${unreadable.message?.lineSequence()?.first()}",
+        )
     }
 
     /** The log's settings if the project has no file for them. The log goes to the console, not to Jason's usual window. */

@@ -32,6 +32,7 @@ class FleetProjectSpec : FunSpec({
         val file = tempdir().toPath().resolve("garden.mas2j")
         listOf(
             "MAS garden { infrastructure: Fleet(insecure)) }" to "it is no project: Encountered \" \")\" \") \"\" at line 1, column 45",
+            "MAS garden { infrastructure: Fleet(hosts([])) }" to "the list of hosts is empty",
             "MAS garden { infrastructure: Fleet(hosts([rasp-pi])) }" to "a name with a hyphen stands in quotes",
         ).forEach { (text, reason) ->
             file.writeText(text)
