@@ -34,8 +34,15 @@ fun main(arguments: Array<String>) {
     }
 }
 
-private fun run(arguments: Array<String>): Int =
+private fun run(arguments: Array<String>): Int = try {
     CommandLine(FleetCommand()).refusingInWords("command").setCommandName("java -jar argo-fleet.jar").execute(*arguments)
+} catch (missing: NoClassDefFoundError) {
+    System.err.println(
+        "Jason runs without a class that it needs, ${missing.message?.replace('/', '.')}: put all of Jason's libraries beside " +
+            "jason-interpreter.jar, and name their folder, as --class-path 'lib/*'",
+    )
+    1
+}
 
 private fun hasJason(loader: ClassLoader): Boolean = try {
     Class.forName("jason.asSemantics.Agent", false, loader)
