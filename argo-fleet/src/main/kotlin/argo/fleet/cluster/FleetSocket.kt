@@ -1,5 +1,6 @@
 package argo.fleet.cluster
 
+import java.io.EOFException
 import java.io.IOException
 import java.io.InputStream
 import java.io.OutputStream
@@ -104,18 +105,21 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         throw IOException("$other ${reason(e)}", e).also { refusals.tell(it.message.orEmpty()) }
     }
 
-    private fun reason(e: IOException): String = when {
-        e is Refusal -> "is refused: ${e.message}"
-        e is SSLException -> "does not begin TLS as the fleet does: ${reasonOfTls(e)}"
-        e is SocketException -> "breaks the connection off: ${e.message}"
-        e is SocketTimeoutException -> "does not greet within $PATIENCE_MILLIS ms"
-        else -> e.message.orEmpty()
-    }
-
-    private fun reasonOfTls(e: SSLException): String? {
-        val here = generateSequence<Throwable>(e) { it.cause }.find { it is CertificateException }
-        if (here != null || REFUSED_THERE !in e.message.orEmpty()) return (here ?: e).message
-        return "it does not know the certificate of this computer, which belongs there as fleet/${entrance.greeting.name}.crt"
+    private fun reason(e: IOException): String {
+        val causes = generateSequence<Throwable>(e) { it.cause }
+        val refusedHere = causes.find { it is CertificateException }
+        val own = "the certificate of this computer, which belongs there as fleet/${entrance.greeting.name}.crt"
+        return when {
+            e is Refusal -> "is refused: ${e.message}"
+            // a computer that refuses a certificate says so, but may close the connection before that can be read
+            causes.any { it is SocketException || it is EOFException } ->
+                "breaks the connection off: ${e.message}" + if (entrance.context == null) "" else "; maybe it does not know $own"
+            e is SSLException && refusedHere == null && REFUSED_THERE in e.message.orEmpty() ->
+                "does not begin TLS as the fleet does: it does not know $own"
+            e is SSLException -> "does not begin TLS as the fleet does: ${(refusedHere ?: e).message}"
+            e is SocketTimeoutException -> "does not greet within $PATIENCE_MILLIS ms"
+            else -> e.message.orEmpty()
+        }
     }
 
     private companion object {
