@@ -1,5 +1,8 @@
 package argo.fleet.cluster
 
+import jdk.net.ExtendedSocketOptions.TCP_KEEPCOUNT
+import jdk.net.ExtendedSocketOptions.TCP_KEEPIDLE
+import jdk.net.ExtendedSocketOptions.TCP_KEEPINTERVAL
 import java.io.EOFException
 import java.io.IOException
 import java.io.InputStream
@@ -100,6 +103,7 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         soTimeout = PATIENCE_MILLIS
         steps()
         soTimeout = 0
+        KEEPING.filterKeys { it in supportedOptions() }.forEach { (option, value) -> setOption(option, value) }
     } catch (e: IOException) {
         close()
         throw IOException("$other ${reason(e)}", e).also { refusals.tell(it.message.orEmpty()) }
@@ -126,6 +130,12 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         /** The TLS alert for a certificate that the other end does not accept. */
         const val REFUSED_THERE = "certificate_unknown"
         const val PATIENCE_MILLIS = 1500
+
+        /**
+         * JGroups has the operating system ask whether the other end of an idle connection is there, after two hours. A computer that is
+         * lost before it is a member sends nothing, and nothing is sent to it. Its connection ends after these seconds and three questions.
+         */
+        val KEEPING = mapOf(TCP_KEEPIDLE to 300, TCP_KEEPINTERVAL to 10, TCP_KEEPCOUNT to 3)
 
         /** The buffer of each connection. The buffer is small, since messages are small. */
         const val BUFFER = 32 shl 10

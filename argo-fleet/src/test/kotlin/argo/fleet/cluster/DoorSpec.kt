@@ -6,6 +6,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jdk.net.ExtendedSocketOptions
 import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -65,6 +66,7 @@ class DoorSpec : FunSpec({
                 other.getInputStream().read() shouldBe 42
                 other.getOutputStream().write(43)
                 socket.getInputStream().read() shouldBe 43
+                listOf(socket, other).forEach { it.getOption(ExtendedSocketOptions.TCP_KEEPIDLE) shouldBe 300 }
             }
         }
     }
