@@ -13,25 +13,6 @@ import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
 
 /**
- * An agent to create.
- *
- * @property program the file of the program in the folder `agent`
- * @property isArgo true for an ARGO agent with these [options], as in a `.mas2j`; false for a common Jason agent
- * @property beliefs initial beliefs beside those of the program
- * @property plans plans behind those of the program
- * @property witnesses architectures in front of its own
- */
-internal class Newcomer(
-    val name: String,
-    val program: String,
-    val isArgo: Boolean = true,
-    val options: Map<String, String> = emptyMap(),
-    val beliefs: List<Literal> = emptyList(),
-    val plans: List<String> = emptyList(),
-    val witnesses: List<AgArch> = emptyList(),
-)
-
-/**
  * Runs one Jason. Agents are started and ended while it runs. A program can run only one Jason, since Jason stores it in a static field.
  * Safe for use by several threads.
  */
@@ -49,21 +30,31 @@ internal class AgentHost : RunLocalMAS() {
     }
 
     fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch = begin(
-        Newcomer(
-            trial.id, "robot.asl", options = mapOf("argo_sensing" to trial.condition.sensing), beliefs = beliefs(trial, port),
-            witnesses = witnesses,
-        ),
+        trial.id, "robot.asl", options = mapOf("argo_sensing" to trial.condition.sensing), beliefs = beliefs(trial, port),
+        witnesses = witnesses,
     )
 
-    fun begin(newcomer: Newcomer): LocalAgArch {
-        val source = checkNotNull(javaClass.getResource("/experiment/${newcomer.program}")) { "there is no ${newcomer.program}" }
-        val settings = AgentSettings().apply { newcomer.options.forEach(::addOption) }
-        val archs = if (newcomer.isArgo) listOf("argo.Arch") else emptyList()
-        val given = services.createAgent(newcomer.name, "$source", null, archs, null, settings, null)
-        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent ${newcomer.name}" }
-        newcomer.beliefs.forEach(agent.ts.ag::addBel)
-        newcomer.plans.forEach { agent.ts.ag.pl.add(ASSyntax.parsePlan(it)) }
-        newcomer.witnesses.forEach(agent::insertAgArch)
+    /**
+     * Creates and starts an agent.
+     *
+     * @param program the file of the program in the folder `agent`
+     * @param isArgo true for an ARGO agent with these [options], as in a `.mas2j`; false for a common Jason agent
+     * @param beliefs initial beliefs beside those of the program
+     * @param plans plans behind those of the program
+     * @param witnesses architectures in front of its own
+     */
+    fun begin(
+        name: String, program: String, isArgo: Boolean = true, options: Map<String, String> = emptyMap(), beliefs: List<Literal>,
+        plans: List<String> = emptyList(), witnesses: List<AgArch>,
+    ): LocalAgArch {
+        val source = checkNotNull(javaClass.getResource("/experiment/$program")) { "there is no $program" }
+        val settings = AgentSettings().apply { options.forEach(::addOption) }
+        val archs = if (isArgo) listOf("argo.Arch") else emptyList()
+        val given = services.createAgent(name, "$source", null, archs, null, settings, null)
+        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent $name" }
+        beliefs.forEach(agent.ts.ag::addBel)
+        plans.forEach { agent.ts.ag.pl.add(ASSyntax.parsePlan(it)) }
+        witnesses.forEach(agent::insertAgArch)
         services.startAgent(given)
         return agent
     }

@@ -42,8 +42,8 @@ internal class DelegationLaboratory(
         val stimuli = Stimuli(run.load.sensors, clock, Random(31 * seed + run.id.hashCode()))
         val boards = run.design.boards.withIndex().associate { (i, kinds) -> "${run.id}_$i" to board(KindSketch(stimuli, kinds, i == 0)) }
         boards.forEach(SimulatedBoards::plugIn)
-        val society = Society(run, boards.keys.toList(), slowdown)
-        val agents = society.begin(host)
+        val society = Society(run, boards.keys.toList(), slowdown, host)
+        val agents = society.begin()
         try {
             if (given.await(WARM_UP_MS)) return null
             val start = clock.nanos()

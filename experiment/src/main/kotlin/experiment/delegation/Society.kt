@@ -1,7 +1,6 @@
 package experiment.delegation
 
 import experiment.AgentHost
-import experiment.Newcomer
 import experiment.SlowComputer
 import jason.asSyntax.ASSyntax.parseLiteral
 import jason.asSyntax.Literal
@@ -11,19 +10,19 @@ import java.util.concurrent.Semaphore
 
 /**
  * The agents of [run] on one computer. The load of the run gives its number of processors. Each is [slowdown] times slower than a processor
- * of this computer. The boards are on [ports], in the order of the design.
+ * of this computer. The boards are on [ports], in the order of the design. [host] runs the agents.
  */
-internal class Society(private val run: DelegationRun, private val ports: List<String>, private val slowdown: Double) {
+internal class Society(
+    private val run: DelegationRun, private val ports: List<String>, private val slowdown: Double, private val host: AgentHost,
+) {
     private val load = run.load
     private val processors = Semaphore(load.processors, true)
     private val computers = ArrayList<SlowComputer>()
 
     val busyNanos: Long get() = computers.sumOf { it.busyNanos }
 
-    /** Creates and starts the agents on [host]. An agent that receives messages starts before the agents that send them. */
-    fun begin(host: AgentHost): List<LocalAgArch> = members().map(host::begin)
-
-    private fun members(): List<Newcomer> = when (run.design) {
+    /** Creates and starts the agents. An agent that receives messages starts before the agents that send them. */
+    fun begin(): List<LocalAgArch> = when (run.design) {
         Design.ONE, Design.BOARDS -> listOf(whole("all", ports, KINDS))
         Design.KINDS_APART -> KINDS.mapIndexed { i, kind -> whole(kind, listOf(ports[i]), listOf(kind)) }
         Design.DELEGATES -> KINDS.map { member(it, "reasoner", isArgo = false, kinds = listOf(it)) } +
@@ -41,7 +40,7 @@ internal class Society(private val run: DelegationRun, private val ports: List<S
 
     private fun member(
         role: String, program: String, beliefs: List<Literal> = emptyList(), kinds: List<String> = emptyList(), isArgo: Boolean = true,
-    ) = Newcomer(
+    ) = host.begin(
         name(role), "delegation/$program.asl", isArgo,
         beliefs = beliefs + if (kinds.isEmpty()) emptyList() else (1 until load.plans).map { parseLiteral("alarm$it(0)") },
         plans = kinds.flatMap { plansFor(it, load.plans) },
