@@ -1,6 +1,8 @@
 package experiment
 
+import java.util.concurrent.Callable
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicInteger
 
 /** Makes the runs [T] of an experiment, and turns them into finished runs [R]. Safe for use by several threads. */
@@ -67,7 +69,12 @@ internal class Campaign<T, R : Any>(
         val finished = runs.finished()
         val over = ConcurrentLinkedQueue(all.mapNotNull(finished::get))
         val missing = ConcurrentLinkedQueue(all - finished.keys)
-        inParallel(jobs, given) { makeAll(missing, over, all.size) }
+        val pool = Executors.newFixedThreadPool(jobs)
+        val workers = pool.invokeAll(
+            List(jobs) { Callable { runCatching { makeAll(missing, over, all.size) }.onFailure { given.giveUp() } } },
+        )
+        pool.shutdown()
+        workers.forEach { it.get().getOrThrow() }
         return over.toList()
     }
 
