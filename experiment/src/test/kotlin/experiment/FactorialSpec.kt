@@ -1,8 +1,8 @@
 package experiment
 
-import experiment.analysis.Factorial
-import experiment.analysis.Published
-import experiment.analysis.Source
+import experiment.report.Factorial
+import experiment.report.Published
+import experiment.report.Source
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus

@@ -1,9 +1,9 @@
 package experiment
 
-import experiment.analysis.Interval
-import experiment.analysis.medianInterval
-import experiment.analysis.proportionInterval
+import experiment.report.Interval
 import experiment.report.decimals
+import experiment.report.medianInterval
+import experiment.report.proportionInterval
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe

@@ -1,12 +1,12 @@
 package experiment
 
-import experiment.analysis.Response
-import experiment.analysis.Source
-import experiment.analysis.analysis
 import experiment.report.Finding
 import experiment.report.Provenance
+import experiment.report.Response
 import experiment.report.Scaling
+import experiment.report.Source
 import experiment.report.TimeScale
+import experiment.report.analysis
 import experiment.report.fate
 import experiment.report.median
 import experiment.report.promise

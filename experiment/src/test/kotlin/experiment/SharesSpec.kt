@@ -1,11 +1,11 @@
 package experiment
 
-import experiment.analysis.Factorial
-import experiment.analysis.Interval
-import experiment.analysis.SharePivots
-import experiment.analysis.Source
-import experiment.analysis.Squares
-import experiment.analysis.shareIntervals
+import experiment.report.Factorial
+import experiment.report.Interval
+import experiment.report.SharePivots
+import experiment.report.Source
+import experiment.report.Squares
+import experiment.report.shareIntervals
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll

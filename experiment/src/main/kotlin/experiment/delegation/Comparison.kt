@@ -1,8 +1,8 @@
 package experiment.delegation
 
-import experiment.analysis.CONFIDENCE
-import experiment.analysis.Factorial
-import experiment.analysis.Interval
+import experiment.report.CONFIDENCE
+import experiment.report.Factorial
+import experiment.report.Interval
 import experiment.report.median
 import org.apache.commons.math3.distribution.TDistribution
 import org.apache.commons.math3.stat.StatUtils

@@ -3,16 +3,6 @@ package experiment.report
 import experiment.Condition
 import experiment.Plan
 import experiment.View
-import experiment.analysis.CONFIDENCE
-import experiment.analysis.Effect
-import experiment.analysis.Factorial
-import experiment.analysis.Interval
-import experiment.analysis.Published
-import experiment.analysis.Response
-import experiment.analysis.ShareIntervals
-import experiment.analysis.Source
-import experiment.analysis.shareIntervals
-import experiment.analysis.words
 import kotlin.math.sqrt
 
 internal val ALLOCATION_METHOD = """<p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of

@@ -5,9 +5,6 @@ import experiment.Finished
 import experiment.Outcome
 import experiment.Plan
 import experiment.View
-import experiment.analysis.Factorial
-import experiment.analysis.Published
-import experiment.analysis.Source
 import experiment.exchangeNanos
 import experiment.leastStopNanos
 import experiment.leavesTime

@@ -5,10 +5,6 @@ import experiment.Finished
 import experiment.Outcome
 import experiment.Plan
 import experiment.View
-import experiment.analysis.Factorial
-import experiment.analysis.Published
-import experiment.analysis.Source
-import experiment.analysis.words
 import experiment.isLate
 import org.apache.batik.transcoder.TranscoderInput
 import org.apache.batik.transcoder.TranscoderOutput

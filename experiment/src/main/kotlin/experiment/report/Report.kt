@@ -6,12 +6,8 @@ import experiment.Outcome
 import experiment.Plan
 import experiment.Settings
 import experiment.View
-import experiment.analysis.Factorial
-import experiment.analysis.Response
-import experiment.analysis.analysis
-import experiment.analysis.medianInterval
-import experiment.analysis.proportionInterval
 import experiment.isLate
+import experiment.maxLateMs
 import org.jetbrains.letsPlot.intern.Plot
 import java.nio.file.Files
 import java.nio.file.Path
@@ -193,3 +189,27 @@ the wall.</p>
     private fun figure(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String =
         if (runs.isEmpty() && scaled.isEmpty()) "<p>There are no runs yet.</p>" else figures.write(name, caption, instead, plot)
 }
+
+/**
+ * Writes [runs] as comma-separated values (RFC 4180). The first line has the column names, and each other line a run.
+ *
+ * @param seed the seed for the order of the runs
+ * @param build the version and the commit of ARGO, in words
+ */
+internal fun csv(runs: List<Finished>, seed: Long, build: String): String {
+    val heads = "run,condition,filter,limit_cm,interval_ms,replication,baud,sensors,outcome,since_limit_ms,since_perceiving_ms," +
+        "distance_cm,commands,frames,late_ms,late_limit_ms,reason,seed,argo"
+    val lines = runs.sortedBy { it.trial.id }.map { "${line(it)},$seed,${quoted(build)}" }
+    return (listOf(heads) + lines).joinToString("") { "$it\r\n" }
+}
+
+private fun line(run: Finished): String = run.let { (trial, result) ->
+    listOf(
+        trial.id, trial.condition.letter, trial.view.word, trial.limit, trial.interval, trial.replication, trial.baud, trial.sensors,
+        result.outcome.name.lowercase(), three(result.sinceLimitMs), result.sincePerceivingMs?.let(::three).orEmpty(),
+        three(result.distance), result.commands, result.frames, three(result.lateMs), three(maxLateMs(trial.condition)),
+        quoted(result.reason.orEmpty()),
+    ).joinToString(",")
+}
+
+private fun quoted(text: String) = if (text.any { it in ",\"\r\n" }) "\"${text.replace("\"", "\"\"")}\"" else text

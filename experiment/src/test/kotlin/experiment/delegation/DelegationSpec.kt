@@ -2,9 +2,9 @@ package experiment.delegation
 
 import experiment.JSON
 import experiment.Settings
-import experiment.analysis.Source
 import experiment.program
 import experiment.report.Provenance
+import experiment.report.Source
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,4 +1,4 @@
-package experiment.analysis
+package experiment.report
 
 import org.apache.commons.math3.distribution.TDistribution
 import kotlin.math.abs

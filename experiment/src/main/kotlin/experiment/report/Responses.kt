@@ -1,4 +1,4 @@
-package experiment.analysis
+package experiment.report
 
 import experiment.Condition
 import experiment.Entry
