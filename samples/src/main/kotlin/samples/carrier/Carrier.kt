@@ -1,6 +1,10 @@
 package samples.carrier
 
 import javino.LineClock
+import javino.sim.Sketch
+import javino.wire.BoardAction
+import samples.carrier.Carrier.Direction
+import kotlin.math.roundToInt
 import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
@@ -83,4 +87,46 @@ internal class Carrier(private val clock: LineClock) {
 
         const val SPEED_CM_S = 20.0
     }
+}
+
+/** The robot of the three boards in this program. */
+private val carrier by lazy { Carrier(LineClock.system()) }
+
+/** A simulated board of the robot. [deeds] are its actions, by name. The board logs its actions. */
+abstract class CarrierBoard internal constructor(private val name: String, private vararg val deeds: Pair<String, () -> Unit>) : Sketch {
+    final override fun name() = name
+
+    final override fun actions() = deeds.map { BoardAction(it.first, 0) }
+
+    final override fun act(command: String): Boolean {
+        System.getLogger("samples.$name").log(System.Logger.Level.INFO, command)
+        return deeds.toMap()[command]?.invoke() != null
+    }
+}
+
+/**
+ * `sim:wheels`, the board with the wheels in the sample `three-boards`. The actions are `forward`, `backward` and `halt`. The percepts are
+ * `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start.
+ */
+class WheelsBoard : CarrierBoard(
+    "wheels", "forward" to { carrier.move(Direction.FORWARD) }, "backward" to { carrier.move(Direction.BACKWARD) },
+    "halt" to { carrier.move(Direction.NO) },
+) {
+    override fun percepts() = listOf("moving(${carrier.direction.word})", "way(${carrier.way.roundToInt()})")
+}
+
+/** `sim:sensors`, the board with the distance sensor. The percept is `dist(front,Cm)`. */
+class SensorsBoard : CarrierBoard("sensors") {
+    override fun percepts() = listOf("dist(front,${carrier.free.roundToInt()})")
+}
+
+/**
+ * `sim:arm`, the board with the hand. The actions are `grip`, `release` and `halt`. The percept is `hand(open)`, `hand(closed)` or
+ * `hand(full)`.
+ */
+class ArmBoard : CarrierBoard(
+    "arm", "grip" to { carrier.grip() }, "release" to { carrier.release() },
+    "halt" to {}, // the hand moves at once and cannot be halted
+) {
+    override fun percepts() = listOf("hand(${carrier.grasp.word})")
 }
