@@ -10,6 +10,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.createTempDirectory
+import kotlin.system.measureNanoTime
 
 internal const val REPLAY = "replay-recordings"
 
@@ -47,9 +48,7 @@ internal fun recorded(): Boolean {
  * replay is started as the tool `replay` starts it.
  */
 private fun paceApart(file: Path): Double {
-    val begin = System.nanoTime()
-    figuresApart(REPLAY, "$file", options = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
-    val elapsedNs = System.nanoTime() - begin
+    val elapsedNs = measureNanoTime { figuresApart(REPLAY, "$file", options = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")) }
     val times = Recording(file).use { recording -> recording.cycles(recording.agents.keys.single()).map { it.ns }.toList() }
     return (times.last() - times.first()).toDouble() / elapsedNs
 }

@@ -7,6 +7,7 @@ import javino.Transports
 import java.net.ServerSocket
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.system.measureNanoTime
 
 private const val OPENINGS = 200
 private const val EXCHANGES = 5000
@@ -43,8 +44,9 @@ private fun open(port: String): Transport = Transports.open(port, LineSettings(1
 
 private fun measure(port: String) {
     awaitEcho(port)
-    val openings = LongArray(OPENINGS) { time { open(port).use { exchange(it, 1) } } }.copyOfRange(OPENINGS / 2, OPENINGS)
-    val exchanges = open(port).use { line -> LongArray(EXCHANGES) { time { exchange(line, 150) } } }.copyOfRange(EXCHANGES / 2, EXCHANGES)
+    val openings = LongArray(OPENINGS) { measureNanoTime { open(port).use { exchange(it, 1) } } }.copyOfRange(OPENINGS / 2, OPENINGS)
+    val exchanges = open(port).use { line -> LongArray(EXCHANGES) { measureNanoTime { exchange(line, 150) } } }
+        .copyOfRange(EXCHANGES / 2, EXCHANGES)
     val before = usedHeap()
     val lines = List(CONNECTIONS) { open(port).also { exchange(it, 150) } }
     val heap = (usedHeap() - before) / CONNECTIONS / 1024
@@ -54,21 +56,13 @@ private fun measure(port: String) {
 
 private fun words(nanos: LongArray) = Distribution(nanos).let { figures("median %.2f ms, p99 %.2f ms", it.ms(0.5), it.ms(0.99)) }
 
-private fun awaitEcho(port: String) {
-    val end = System.nanoTime() + PATIENCE_MS * 1_000_000L
-    while (true) {
-        try {
-            return open(port).close()
-        } catch (starting: PortException) {
-            if (System.nanoTime() > end) throw starting
-            Thread.sleep(20)
-        }
-    }
-}
+private fun awaitEcho(port: String) = check(awaitAtMost(PATIENCE_MS / 1000) { isOpen(port) }) { "nothing answers at $port" }
 
-private fun time(body: () -> Unit): Long = System.nanoTime().let {
-    body()
-    System.nanoTime() - it
+private fun isOpen(port: String): Boolean = try {
+    open(port).close()
+    true
+} catch (_: PortException) {
+    false
 }
 
 private fun exchange(line: Transport, count: Int) {

@@ -62,7 +62,7 @@ private const val BAUD = 115_200
 /** The program of [BoardHost]. The arguments are the number of percepts, and for each board a device or `tcp`. */
 internal fun hostBoards(arguments: List<String>) {
     val percepts = arguments.first().toInt()
-    val boards = arguments.drop(1).map { if (it == NETWORK) NetworkBoard(percepts) else DeviceBoard(it, percepts) }
+    val boards = arguments.drop(1).map { if (it == NETWORK) onNetwork(percepts) else onDevice(it, percepts) }
     println(boards.joinToString(" ") { it.port })
     while (true) when (readlnOrNull()) {
         "answered" -> println(boards.joinToString(" ") { "${it.answered}" })
@@ -71,16 +71,19 @@ internal fun hostBoards(arguments: List<String>) {
     }
 }
 
-private abstract class HostedBoard(private val percepts: Int) {
+/** A board at [port]. [work] serves its lines, on a thread of the board. */
+private class HostedBoard(val port: String, private val percepts: Int, work: HostedBoard.() -> Unit) {
     private val answers = AtomicLong()
     private val lines = AtomicInteger()
-
-    abstract val port: String
 
     val answered: Long get() = answers.get()
     val open: Int get() = lines.get()
 
-    protected fun serve(line: Transport) {
+    init {
+        thread(isDaemon = true, name = "board $port") { work() }
+    }
+
+    fun serve(line: Transport) {
         lines.incrementAndGet()
         try {
             line.use { SensorBoard(Protocol.AUTO, ::message, { _, _, _ -> answers.incrementAndGet() }).run(it) }
@@ -94,26 +97,20 @@ private abstract class HostedBoard(private val percepts: Int) {
     private fun message(n: Int) = SensorBoard.robot(n).split(';').take(percepts).joinToString(";", postfix = ";")
 }
 
-private class DeviceBoard(override val port: String, percepts: Int) : HostedBoard(percepts) {
-    init {
-        val line = Transports.open(port, LineSettings(BAUD))
-        thread(isDaemon = true, name = "board $port") {
-            try {
-                serve(line)
-            } catch (trouble: PortException) {
-                System.err.println("board $port: ${trouble.message}")
-            }
+private fun onDevice(device: String, percepts: Int): HostedBoard {
+    val line = Transports.open(device, LineSettings(BAUD))
+    return HostedBoard(device, percepts) {
+        try {
+            serve(line)
+        } catch (trouble: PortException) {
+            System.err.println("board $port: ${trouble.message}")
         }
     }
 }
 
-private class NetworkBoard(percepts: Int) : HostedBoard(percepts) {
-    private val server = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
-    override val port = "tcp://127.0.0.1:${server.localPort}"
-
-    init {
-        thread(isDaemon = true, name = "board $port") { while (true) serve(SocketLine(port, server.accept())) }
-    }
+private fun onNetwork(percepts: Int): HostedBoard {
+    val server = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
+    return HostedBoard("tcp://127.0.0.1:${server.localPort}", percepts) { while (true) serve(SocketLine(port, server.accept())) }
 }
 
 private class SocketLine(name: String, private val socket: Socket) : DriverTransport(name, LineSettings(BAUD)) {
