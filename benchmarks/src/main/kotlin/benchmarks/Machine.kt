@@ -9,11 +9,11 @@ fun machine(): String =
         "${System.getProperty("os.arch")}"
 
 /**
- * Returns the resident memory of this process in MB. `VmRSS` is the current memory, and `VmHWM` the greatest up to now. Returns NaN if the
+ * Returns the resident memory of the [process] in MB. `VmRSS` is the current memory, and `VmHWM` the greatest up to now. Returns NaN if the
  * memory is not known. Only Linux tells it.
  */
-internal fun residentMb(figure: String): Double {
-    val status = File("/proc/self/status")
+internal fun residentMb(figure: String, process: String = "self"): Double {
+    val status = File("/proc/$process/status")
     if (!status.exists()) return Double.NaN
     return status.readLines().first { it.startsWith(figure) }.filter(Char::isDigit).toDouble() / 1024
 }

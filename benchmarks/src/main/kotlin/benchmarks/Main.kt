@@ -30,7 +30,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "soak" to { _, _ -> soak() },
     "tls" to { _, _ -> tls() },
     "ros" to { _, more -> ros(more.firstOrNull()) },
-    "explore" to { _, more -> explored(more.firstOrNull()) },
+    "explore" to { _, _ -> explored() },
     "record" to { _, _ -> recorded() },
     "reload" to { _, _ -> reloaded() },
     "fleet" to { _, rows -> fleet(rows) },
@@ -58,9 +58,7 @@ fun main(args: Array<String>) {
         BOARD_HOST -> hostBoards(rest)
         REACTING_AGENT -> reactingAgent(rest.single().toInt())
         else -> {
-            System.err.println(
-                "usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet",
-            )
+            System.err.println("usage: ./argo bench ${BENCHMARKS.keys.joinToString("|")}")
             exitProcess(2)
         }
     }

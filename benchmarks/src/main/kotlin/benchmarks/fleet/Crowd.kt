@@ -1,6 +1,7 @@
 package benchmarks.fleet
 
 import benchmarks.figures
+import benchmarks.residentMb
 import java.io.File
 import kotlin.io.path.writeText
 
@@ -35,10 +36,11 @@ internal fun crowd(): Boolean {
         val processes = startAll(project, options, names.map { Project.computer(it) })
         val seconds = (System.nanoTime() - begin) / 1e9
         val cost = costOf(processes)
+        val residentMb = processes.sumOf { residentMb("VmRSS", "${it.pid()}") }
         val isEqual = project.noted(NAMES).map { it[1] }.distinct().size == 1
         println(
             figures("%d processes with %,d agents: all know all after %.0f s", COMPUTERS, COMPUTERS * AGENTS, seconds) +
-                ", $cost, .all_names ${if (isEqual) "equal" else "differ"}" + figures(", %,d MB", processes.sumOf(::residentKb) / 1024),
+                ", $cost, .all_names ${if (isEqual) "equal" else "differ"}" + figures(", %,.0f MB", residentMb),
         )
         isEqual && seconds <= MAX_START_S && cost.share <= MAX_SHARE
     }
@@ -101,9 +103,6 @@ private fun sharing(project: Project, few: String, agents: Int, programs: List<L
 
 private fun ticks(process: Process): Long =
     File("/proc/${process.pid()}/stat").readText().substringAfterLast(") ").split(' ').let { it[UTIME].toLong() + it[UTIME + 1].toLong() }
-
-private fun residentKb(process: Process): Long =
-    File("/proc/${process.pid()}/status").readLines().first { it.startsWith("VmRSS") }.filter(Char::isDigit).toLong()
 
 private const val TICKS_A_SECOND = 100.0
 
