@@ -1,5 +1,6 @@
 package argo.fleet
 
+import argo.tools.command.filesOn
 import argo.tools.command.refusingInWords
 import picocli.CommandLine
 import java.io.File
@@ -53,15 +54,11 @@ private fun hasJason(loader: ClassLoader): Boolean = try {
 
 /** Returns the entries of this program's class path, the jars beside this program's jar, and the entries of `--class-path`. */
 private fun places(arguments: Array<String>): List<URL> {
-    val own = System.getProperty("java.class.path").split(File.pathSeparator)
+    val own = System.getProperty("java.class.path")
     val beside = File(FleetCommand::class.java.protectionDomain.codeSource.location.toURI()).parentFile
     val named = arguments.withIndex().firstNotNullOfOrNull { (place, argument) ->
         if (argument == FleetCommand.CLASS_PATH) arguments.getOrNull(place + 1)
         else argument.removePrefix("${FleetCommand.CLASS_PATH}=").takeIf { it != argument }
-    }.orEmpty().split(File.pathSeparator)
-    return (own + "$beside/*" + named).filter { it.isNotEmpty() }.flatMap(::expanded).map { it.toURI().toURL() }
+    }.orEmpty()
+    return filesOn(listOf(own, "$beside/*", named).joinToString(File.pathSeparator)).map { it.toUri().toURL() }
 }
-
-private fun expanded(place: String): List<File> =
-    if (place.endsWith("*")) File(place.removeSuffix("*").ifEmpty { "." }).listFiles { it -> it.name.endsWith(".jar") }.orEmpty().sorted()
-    else listOf(File(place))

@@ -1,9 +1,13 @@
 package argo.fleet.agents
 
 import argo.insides.Insides
+import argo.mind.Mind
+import argo.mind.beginAnew
+import argo.mind.replaceMind
 import argo.platform.Plans
 import argo.recording.agent.MessageContent
 import jason.asSemantics.Agent
+import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
@@ -11,6 +15,7 @@ import jason.asSyntax.Plan
 import jason.asSyntax.Pred
 import jason.asSyntax.UnnamedVar
 import jason.asSyntax.VarTerm
+import java.util.logging.Logger
 
 /**
  * Reads [text], which another computer has written by [MessageContent.write], for [agent]. Jason numbers variables and the labels of plans
@@ -21,6 +26,20 @@ import jason.asSyntax.VarTerm
 internal fun readForeign(text: String, agent: Agent): Any = MessageContent.read(text, agent).also { content ->
     if (content is Literal && !content.isGround) content.makeVarsAnnon(OwnVariables())
     relabel(content, agent)
+}
+
+/**
+ * Gives the agent of [ts] the mind [program]. The mind replaces the beliefs and goals of the agent's own program. Call this function
+ * between reading that program and starting the agent.
+ *
+ * @throws IllegalArgumentException if [program] cannot be read. The agent is then unchanged
+ */
+internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
+    val mind = Mind.ofProgram(program)
+    val beliefs = mind.beliefs.map { readForeign(it, ts.ag) as Literal }
+    val events = mind.events.map { it to readForeign(it.drop(1), ts.ag) as Literal }
+    replaceMind(ts, beliefs, log::warning)
+    events.forEach { (event, literal) -> beginAnew(ts, event, literal) }
 }
 
 /**
