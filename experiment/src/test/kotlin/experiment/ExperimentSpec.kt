@@ -34,8 +34,7 @@ class ExperimentSpec : FunSpec({
         val out = tempdir().toPath().resolve("results")
         start(*arguments(out, "--seed", "5")).use { program ->
             program.awaitLine("run 0 of 12")
-            program.interrupt()
-            program.awaitEnd().first shouldBe 130
+            program.interrupt().status shouldBe 130
         }
         out.resolve("runs").listDirectoryEntries().flatMap { it.readLines() }.forAll { JSON.decodeFromString(Entry.serializer(), it) }
 

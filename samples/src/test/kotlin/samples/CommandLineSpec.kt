@@ -20,7 +20,7 @@ class CommandLineSpec : FunSpec({
         val (status, printed) = Program.run("collision", "--limit", "far")
         status shouldBe 2
         printed shouldStartWith "Invalid value for option '--limit': far is not a whole number"
-        Program.run("blink", "--help").first shouldBe 0
+        Program.run("blink", "--help").status shouldBe 0
     }
 
     context("wrong arguments are refused with a reason and exit status 2") {

@@ -8,6 +8,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import samples.Program
 import samples.documents.Document
 import java.io.File
 import java.nio.file.Path
@@ -39,7 +40,7 @@ class JaCaMoSpec : FunSpec({
 
         val classPath =
             listOf("$libraries/*", "${Path.of(System.getProperty("argo.jar")).toAbsolutePath()}").joinToString(File.pathSeparator)
-        val ended = JarProgram.run(
+        val ended = Program.run(
             ProcessBuilder(
                 newestJava().program, "-Duser.home=$project", "-cp", classPath, "jacamo.infra.JaCaMoLauncher", "robot.jcm", "--no-net",
             ).directory(project.toFile()),

@@ -6,6 +6,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import samples.Program
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
@@ -25,7 +26,7 @@ class JarSamplesSpec : FunSpec({
     val jar = release(tempdir().toPath().resolve("the release"))
 
     test("the demo tells its options under the name that was typed") {
-        val help = JarProgram.run(folder, "-jar", "$jar", "demo", "--help")
+        val help = Program.run(folder, "-jar", "$jar", "demo", "--help")
         withClue(help.printed) {
             help.status shouldBe 0
             help.printed shouldStartWith "Usage: java -jar argo.jar demo"
@@ -33,12 +34,12 @@ class JarSamplesSpec : FunSpec({
     }
 
     test("a sample runs, and its end is the jar's") {
-        val blinked = JarProgram.run(folder, "-jar", "$jar", "sample", "blink", "--seconds", "3")
+        val blinked = Program.run(folder, "-jar", "$jar", "sample", "blink", "--seconds", "3")
         withClue(blinked.printed) {
             blinked.status shouldBe 0
             blinked.printed shouldContain "LED on"
         }
-        val refused = JarProgram.run(folder, "-jar", "$jar", "sample", "race")
+        val refused = Program.run(folder, "-jar", "$jar", "sample", "race")
         withClue(refused.printed) {
             refused.status shouldBe 2
             refused.printed shouldContain "there is no sample 'race'; there are: collision, blink"
@@ -46,7 +47,7 @@ class JarSamplesSpec : FunSpec({
     }
 
     test("who ends the jar ends the sample that it runs") {
-        JarProgram.start(folder, "-jar", "$jar", "sample", "blink", "--seconds", "100").use { sample ->
+        Program.start(folder, "-jar", "$jar", "sample", "blink", "--seconds", "100").use { sample ->
             sample.awaitLine("LED on")
             val children = sample.children().also { it.size shouldBe 1 }
             withClue(sample.interrupt().printed) { children.filter { it.isAlive } shouldBe emptyList() }
@@ -55,7 +56,7 @@ class JarSamplesSpec : FunSpec({
 
     test("a jar alone says what it lacks") {
         val alone = Path.of(System.getProperty("argo.jar")).copyTo(folder.resolve("argo.jar"))
-        val refused = JarProgram.run(folder, "-jar", "$alone", "demo")
+        val refused = Program.run(folder, "-jar", "$alone", "demo")
         refused.status shouldBe 1
         refused.printed shouldContain "A release has them in the folder samples beside argo.jar"
     }

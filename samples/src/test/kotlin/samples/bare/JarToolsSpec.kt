@@ -9,6 +9,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.sim.PseudoTerminals
+import samples.Program
 import java.io.File
 import java.nio.file.Path
 
@@ -24,25 +25,25 @@ class JarToolsSpec : FunSpec({
     }
 
     test("the jar runs, and prints its version") {
-        val said = JarProgram.run(folder, "-jar", jar, "--version")
+        val said = Program.run(folder, "-jar", jar, "--version")
         said.status shouldBe 0
         said.printed shouldContain Regex("ARGO \\d+\\.\\d+\\.\\d+, Java ")
     }
 
     test("it looks at ports, filters and the machine without Jason") {
-        JarProgram.run(folder, "-jar", jar, "ports", "--json").status shouldBe 0
-        JarProgram.run(folder, "-jar", jar, "doctor").printed shouldContain "the serial driver's native library runs"
+        Program.run(folder, "-jar", jar, "ports", "--json").status shouldBe 0
+        Program.run(folder, "-jar", jar, "doctor").printed shouldContain "the serial driver's native library runs"
         folder.resolve("f.json").toFile().writeText("""{"rules": [{"predicate": "dist", "arity": 1}]}""")
-        JarProgram.run(folder, "-jar", jar, "filter", "convert", "f.json", "--to", "kotlin")
+        Program.run(folder, "-jar", jar, "filter", "convert", "f.json", "--to", "kotlin")
             .printed shouldContain "drop(\"dist\") { arity(1) }"
-        val refused = JarProgram.run(folder, "-jar", jar, "fly")
+        val refused = Program.run(folder, "-jar", jar, "fly")
         refused.status shouldBe 2
         refused.printed shouldContain "there is no command 'fly'"
         refused.printed shouldContain "java -jar argo.jar --help lists the options"
     }
 
     test("an interrupted monitor tells what it has seen") {
-        JarProgram.start(folder, "-jar", jar, "monitor", "replay:$recording", "--interval", "10").use { monitor ->
+        Program.start(folder, "-jar", jar, "monitor", "replay:$recording", "--interval", "10").use { monitor ->
             monitor.awaitLine("dist(f,20)")
             val said = monitor.interrupt()
             withClue(said.printed) {
@@ -55,16 +56,16 @@ class JarToolsSpec : FunSpec({
 
     test("a reader that has seen enough ends it quietly") {
         val command = "${thisJava().program} -jar $jar monitor replay:$recording --interval 10 | head -n 2"
-        val said = JarProgram.run(ProcessBuilder("sh", "-c", command).directory(folder.toFile()))
+        val said = Program.run(ProcessBuilder("sh", "-c", command).directory(folder.toFile()))
         said.status shouldBe 0
         said.printed.lines().filter { it.isNotEmpty() }.size shouldBe 2
     }
 
     test("a recording is a board on a pseudo-terminal, with its commands shown, until Ctrl-C").config(enabledOrReasonIf = pairs) {
-        JarProgram.start(folder, "-jar", jar, "replay", "$recording").use { replay ->
+        Program.start(folder, "-jar", jar, "replay", "$recording").use { replay ->
             val port = replay.awaitLine("/").trim()
-            JarProgram.run(folder, "-jar", jar, "request", port, "getPercepts").printed shouldContain "dist(f,30);"
-            JarProgram.run(folder, "-jar", jar, "send", port, "ledOn").printed shouldContain "the board has taken the command"
+            Program.run(folder, "-jar", jar, "request", port, "getPercepts").printed shouldContain "dist(f,30);"
+            Program.run(folder, "-jar", jar, "send", port, "ledOn").printed shouldContain "the board has taken the command"
             replay.awaitLine("command: ledOn")
             withClue(replay.interrupt().printed) { File(port).exists() shouldBe false }
         }
@@ -72,9 +73,9 @@ class JarToolsSpec : FunSpec({
 
     test("what a board said unasked is said from its beginning when somebody listens").config(enabledOrReasonIf = pairs) {
         val spoken = folder.resolve("spoken.rec").toFile().apply { writeText("javino-recording 1\n0\tin\tdist(1);\n300\tin\tdist(2);\n") }
-        JarProgram.start(folder, "-jar", jar, "replay", "$spoken").use { replay ->
+        Program.start(folder, "-jar", jar, "replay", "$spoken").use { replay ->
             val port = replay.awaitLine("/").trim()
-            val heard = JarProgram.run(folder, "-jar", jar, "monitor", port, "--mode", "listen", "--count", "2", "--timeout", "5000")
+            val heard = Program.run(folder, "-jar", jar, "monitor", port, "--mode", "listen", "--count", "2", "--timeout", "5000")
             withClue(heard.printed) {
                 heard.status shouldBe 0
                 heard.printed.lines().take(2).map { it.substringAfterLast("  ") } shouldBe listOf("dist(1)", "dist(2)")

@@ -12,6 +12,7 @@ import io.kotest.matchers.string.shouldNotContain
 import jason.asSemantics.Agent
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
+import samples.Program
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
@@ -36,7 +37,7 @@ class NewProjectSpec : FunSpec({
             val project = folder.resolve(if (boards == 1) "my-robot" else "two-eyed")
 
             test("it is made, and its filter compiles") {
-                val made = JarProgram.run(
+                val made = Program.run(
                     folder, "-jar", System.getProperty("argo.jar"), "new", project.name, "--boards", "$boards",
                     "--testkit-jar", System.getProperty("argo.testkit.jar"),
                 )
@@ -45,7 +46,7 @@ class NewProjectSpec : FunSpec({
             }
 
             test("its agent runs without a board, through its filter in Kotlin") {
-                val run = JarProgram.start(
+                val run = Program.start(
                     project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS",
                     "${project.name.replace('-', '_')}.mas2j", "--no-net",
                 )
@@ -61,7 +62,7 @@ class NewProjectSpec : FunSpec({
                 specs.sorted() shouldBe listOf("RobotFiltersSpec", "RobotSpec")
                 specs.forEach { spec ->
                     val run =
-                        JarProgram.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
+                        Program.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
                     withClue(run.printed) {
                         run.status shouldBe 0
                         run.printed shouldContain Regex("[234] passed")
@@ -76,7 +77,7 @@ class NewProjectSpec : FunSpec({
                     val library = Path.of("../javino-arduino").toAbsolutePath().normalize()
                     val elf = folder.resolve("avr/avr/uno/$sketch.elf")
                     val make = ProcessBuilder("make", "-s", "-C", "$library", "SKETCHES=$source", "BUILD=${folder.resolve("avr")}", "$elf")
-                    val run = JarProgram.run(make)
+                    val run = Program.run(make)
                     withClue(run.printed) { run.status shouldBe 0 }
                     elf.exists() shouldBe true
                 }

@@ -46,7 +46,7 @@ class CollisionSpec : FunSpec({
         tags = thorough,
         enabledOrReasonIf = pairs,
     ) {
-        fun printed(term: String) = Program.inTerminal(term, "collision", "--limit", "190").use { it.awaitEnd().second }
+        fun printed(term: String) = Program.inTerminal(term, "collision", "--limit", "190").use { it.awaitEnd().printed }
         with(printed("xterm")) {
             Regex("""___?o=o>_*\|  distance 1\d\d\.\d cm""").containsMatchIn(this) shouldBe true
             lines().last() shouldContain stopped
@@ -99,7 +99,6 @@ class CollisionSpec : FunSpec({
             Program.samples("collision", "--port", robot.port).use { program ->
                 robot.awaitState(Course.State.DRIVING)
                 program.interrupt()
-                program.awaitEnd()
             }
             robot.awaitState(Course.State.STOPPED)
         }

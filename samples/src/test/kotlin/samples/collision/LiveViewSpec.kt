@@ -36,19 +36,18 @@ class LiveViewSpec : FunSpec({
         Program.samples("collision", "--view", "--view-wait", "3600", "--limit", "195").use { program ->
             program.awaitLine("live view: ")
             program.enter()
-            program.awaitEnd().first shouldBe 0
+            program.awaitEnd().status shouldBe 0
         }
     }
 
     test("the robot does not wait for a browser longer than it is told") {
-        Program.run("collision", "--view", "--view-wait", "0", "--limit", "195").first shouldBe 0
+        Program.run("collision", "--view", "--view-wait", "0", "--limit", "195").status shouldBe 0
     }
 
     test("a run that is interrupted while it waits ends") {
         Program.samples("collision", "--view").use { program ->
             program.awaitLine("live view: ")
-            program.interrupt()
-            program.awaitEnd().first shouldBe 130
+            program.interrupt().status shouldBe 130
         }
     }
 

@@ -10,7 +10,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
-import samples.bare.JarProgram
+import samples.Program
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
@@ -59,7 +59,7 @@ class BoardsPageSpec : FunSpec({
     }
 
     fun tool(classes: Path, vararg words: String) =
-        JarProgram.run(classes, "-cp", "$argo${File.pathSeparator}$classes", "argo.tools.MainKt", *words)
+        Program.run(classes, "-cp", "$argo${File.pathSeparator}$classes", "argo.tools.MainKt", *words)
 
     mapOf("Kotlin" to ::kotlin, "Java" to ::java).forEach { (language, compile) ->
         test("the board in $language is a port for who names it, answers, acts and refuses") {
@@ -79,7 +79,7 @@ class BoardsPageSpec : FunSpec({
         try {
             val monitor = arrayOf("monitor", "tcp://localhost:$port", "--count", "2", "--boot", "20000")
             eventually(60.seconds) { // the board may start to listen after the monitor's request
-                val asked = JarProgram.run(program.parent, "-jar", "$argo", *monitor)
+                val asked = Program.run(program.parent, "-jar", "$argo", *monitor)
                 // the wall comes nearer with each request, and a busy computer repeats one
                 withClue(asked.printed) { Regex("""s +\S+ +dist\(front,(90|8\d)\)""").findAll(asked.printed).count() shouldBe 2 }
             }

@@ -8,7 +8,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldMatch
 import javino.link.Link
-import samples.bare.JarProgram
+import samples.Program
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.nio.file.Path
@@ -37,7 +37,7 @@ class JavaPageSpec : FunSpec({
     fun backOffFrom(wall: String): String {
         val classes = compile("BackOff" to backOff, "Wall" to wall)
         classes.resolve("META-INF/services").createDirectories().resolve("javino.sim.SimulatedBoard").writeText("Wall\n")
-        val run = JarProgram.run(classes, "-cp", "$libraries${File.pathSeparator}$classes", "BackOff", "sim:wall")
+        val run = Program.run(classes, "-cp", "$libraries${File.pathSeparator}$classes", "BackOff", "sim:wall")
         withClue(run.printed) { run.status shouldBe 0 }
         return run.printed
     }

@@ -6,7 +6,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import samples.bare.JarProgram
+import samples.Program
 import samples.documents.Document
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
@@ -53,7 +53,7 @@ class TutorialSpec : FunSpec({
         board(robot).use { uno ->
             uno.type("8=90cm")
             val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
-            JarProgram.start(project, "-cp", classPath, "jason.infra.local.RunLocalMAS", "wall.mas2j", "--no-net").use { agent ->
+            Program.start(project, "-cp", classPath, "jason.infra.local.RunLocalMAS", "wall.mas2j", "--no-net").use { agent ->
                 agent.awaitLine("[robot] driving")
                 uno.await("5 out PWM 150")
                 uno.type("8=25cm")

@@ -8,7 +8,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import samples.bare.JarProgram
+import samples.Program
 import java.io.File
 
 /** A sketch whose function does not fit an action does not compile. The compiler message tells the solution. */
@@ -20,10 +20,10 @@ class WrongFunctionSpec : FunSpec({
         if (onPath("c++")) Enabled.enabled else Enabled.disabled("there is no c++: install g++ with your package manager")
     }
 
-    fun compile(function: String, registration: String): JarProgram.Ended {
+    fun compile(function: String, registration: String): Program.Ended {
         val sketch = folder.resolve("Sketch.cpp")
         sketch.writeText("#include <Javino.h>\nJavino javino;\n$function\nvoid setup() { $registration; }\nvoid loop() {}\n")
-        return JarProgram.run(ProcessBuilder("c++", "-std=c++11", "-Itests/stub", "-Isrc", "-fsyntax-only", "$sketch").directory(library))
+        return Program.run(ProcessBuilder("c++", "-std=c++11", "-Itests/stub", "-Isrc", "-fsyntax-only", "$sketch").directory(library))
     }
 
     mapOf(

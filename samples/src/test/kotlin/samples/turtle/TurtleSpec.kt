@@ -16,7 +16,7 @@ class TurtleSpec : FunSpec({
     test("the turtle drives to the one that turtlesim has spawned for it") {
         Program.samples("turtle").use { program ->
             listOf("[turtle] goes to turtle2", "[turtle] is there").forEach(program::awaitLine)
-            program.awaitEnd().first shouldBe 0
+            program.awaitEnd().status shouldBe 0
         }
     }
 
