@@ -30,11 +30,15 @@ if len(sys.argv) > 3:
 state = {"count": 0, "dist": 100, "closing": 0, "begun": 0, "near": 0, "asked": False}
 
 
-def note(text):
-    state["count"] += 1
+def tell(text):
     sys.stderr.write(text + "\n")
     if hasattr(sys.stderr, "flush"):
         sys.stderr.flush()
+
+
+def note(text):
+    state["count"] += 1
+    tell(text)
 
 
 def speed(value):
@@ -79,7 +83,7 @@ board.on_action("near", lambda cm: state.update({"near": cm, "begun": ticks_ms()
 board.on_action("grip", grip, 1)
 board.act["fail"] = fail
 board.watch_rules()
-board.on_link_lost(400, lambda: note("lost"))
+board.on_link_lost(400, lambda: tell("lost"))
 try:
     board.run_forever(step)
 except javino.LineGone:
