@@ -1,5 +1,6 @@
 package argo.platform
 
+import argo.filters.withControlsShown
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -67,9 +68,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
 }
 
 /** Makes a foreign text fit for a log line. Control characters become `\xHH`, and at most 200 characters stay. */
-fun foreignText(text: String): String = buildString {
-    for (c in text.take(MAX_FOREIGN)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
-    if (text.length > MAX_FOREIGN) append("… (${text.length} characters)")
-}
+fun foreignText(text: String): String =
+    withControlsShown(text.take(MAX_FOREIGN)) + if (text.length > MAX_FOREIGN) "… (${text.length} characters)" else ""
 
 private const val MAX_FOREIGN = 200
