@@ -1,6 +1,5 @@
 package argo.tools
 
-import argo.tools.command.printable
 import argo.tools.samples.SampleProgramCommand
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
@@ -184,9 +183,5 @@ class CommandLineSpec : FunSpec({
             command.subcommands.keys.map { "$name $it" }.ifEmpty { listOf(name) }
         }
         rows shouldContainExactlyInAnyOrder commands + "lsp" + "ros check" // argo.jar adds commands of other modules
-    }
-
-    test("what could command a terminal is shown, not done") {
-        printable("a\u001B[2Jb\u0007\u009Bc") shouldBe "a\\u001B[2Jb\\u0007\\u009Bc"
     }
 })

@@ -1,7 +1,7 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
-import argo.tools.command.printable
+import argo.filters.withControlsShown
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.link.BoardListener
@@ -51,7 +51,7 @@ internal class BoardDescription(
         },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
-    ).map(::printable)
+    ).map(::withControlsShown)
 
     override fun members(): Map<String, Any?> = mapOf(
         "board" to "a Javino board of ${versionSpoken(protocol)}",

@@ -1,12 +1,12 @@
 package argo.tools.board
 
 import argo.filters.matching.OWN_BELIEFS
+import argo.filters.withControlsShown
 import argo.recording.replay.Recording
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.counted
 import argo.tools.command.making
-import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
@@ -102,7 +102,7 @@ internal class DescribeCommand : ToolCommand() {
 
     /** Writes the [kinds] to the file. Writes and prints their [origin] and the reasons why some are [missing]. */
     private fun write(origin: String, kinds: List<String>, missing: List<String>) {
-        val notes = missing.map(::printable)
+        val notes = missing.map(::withControlsShown)
         val head = listOf("# Percepts of the board at $port, $origin") + notes.map { "# $it" }
         Thread.interrupted() // Ctrl-C must not prevent the file
         making(file) { Files.write(it, head + kinds, StandardOpenOption.CREATE_NEW) }

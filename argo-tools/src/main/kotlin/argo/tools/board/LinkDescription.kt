@@ -1,9 +1,9 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
+import argo.filters.withControlsShown
 import argo.links.BoardLink
 import argo.links.Wish
-import argo.tools.command.printable
 
 /** The known facts about a board without a serial line, such as a ROS robot. */
 internal class LinkDescription private constructor(scheme: String, actions: List<String>?, percepts: List<String>) : Description {
@@ -11,7 +11,7 @@ internal class LinkDescription private constructor(scheme: String, actions: List
 
     override fun lines(): List<String> = facts.map { (name, value) ->
         val words = (value as? List<*>)?.joinToString("; ")?.ifEmpty { "none now" } ?: "${value ?: "unknown"}"
-        printable(if (name == "board") words else "$name: $words")
+        withControlsShown(if (name == "board") words else "$name: $words")
     }
 
     override fun members(): Map<String, Any?> = facts

@@ -1,11 +1,11 @@
 package argo.tools.board
 
+import argo.filters.withControlsShown
 import argo.links.BoardLink
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
-import argo.tools.command.printable
 import javino.ActionRefusedException
 import javino.PerceptsRequest
 import javino.Protocol
@@ -41,7 +41,7 @@ internal class RequestCommand : MessageCommand() {
     override fun exchange() = line.open(port, asks = true).use { link ->
         val answer = link.request(message, line.timeoutMs).text()
         val members = arrayOf("port" to link.port(), "request" to message, "answer" to answer, "protocol" to versionSpoken(link.protocol()))
-        out.println(if (json) jsonOf(*members) else printable(answer))
+        out.println(if (json) jsonOf(*members) else withControlsShown(answer))
     }
 }
 
@@ -65,7 +65,7 @@ internal class SendCommand : MessageCommand() {
     private fun exchange(link: BoardLink) {
         val answer = link.sendAndAwait(message, SendOptions(false, line.givenTimeoutMs))
         if (json) return out.println(jsonOf("port" to link.port, "sent" to message, "acted" to true, "answer" to answer?.text))
-        out.println(printable("done" + answer?.text?.let { "; the answer is $it" }.orEmpty()))
+        out.println(withControlsShown("done" + answer?.text?.let { "; the answer is $it" }.orEmpty()))
     }
 
     private fun exchange(link: Link) {

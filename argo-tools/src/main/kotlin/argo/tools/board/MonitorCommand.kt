@@ -3,11 +3,11 @@ package argo.tools.board
 import argo.filters.matching.perceptsOf
 import argo.filters.matching.whyClaimed
 import argo.filters.matching.whyUnreadable
+import argo.filters.withControlsShown
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonOf
 import argo.tools.command.making
-import argo.tools.command.printable
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
 import javino.PerceptKind
@@ -107,7 +107,7 @@ internal class MonitorCommand : DataCommand() {
             } catch (_: PortInterruptedException) {
                 ExitStatus.DONE
             } catch (trouble: PortException) {
-                err.println(printable(trouble.message.orEmpty()))
+                err.println(withControlsShown(trouble.message.orEmpty()))
                 ExitStatus.FAILED
             } catch (unwritable: IOException) {
                 err.println("$record cannot be written: ${unwritable.message}")
@@ -140,13 +140,13 @@ internal class MonitorCommand : DataCommand() {
         }
 
         private fun tellOnce(silence: PortTimeoutException) {
-            val reason = printable(silence.message.orEmpty())
+            val reason = withControlsShown(silence.message.orEmpty())
             if (silences.add(reason)) err.println("$reason; monitor goes on waiting for percepts")
         }
 
         private fun describedKinds(): List<PerceptKind> {
             val described = board.kinds()
-            described.trouble?.let { err.println("kinds of percepts: ${printable(it)}") }
+            described.trouble?.let { err.println("kinds of percepts: ${withControlsShown(it)}") }
             return described.kinds
         }
 
@@ -164,13 +164,13 @@ internal class MonitorCommand : DataCommand() {
             if (json) return out.println(json(ms, percepts))
             val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
             val shown = percepts.joinToString("  ") {
-                val words = printable(it.words)
+                val words = withControlsShown(it.words)
                 if (it.problem != null) paint.bad("$words (!)") else if (it.text in seen) words else paint.new(words)
             }
             out.println("${paint.aside("${time(ms)} ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
             seen = percepts.map { it.text }.toSet()
             percepts.asSequence().mapNotNull { it.problem }.filter { explained.size < MAX_EXPLAINED && explained.add(it) }.forEach {
-                out.println(paint.doubtful("            ${printable(it)}"))
+                out.println(paint.doubtful("            ${withControlsShown(it)}"))
                 if (explained.size == MAX_EXPLAINED) out.println(paint.doubtful("            further percepts with (!) are not explained"))
             }
         }
@@ -185,7 +185,7 @@ internal class MonitorCommand : DataCommand() {
         private fun show(late: PortTimeoutException) {
             unanswered++
             if (json) return out.println(jsonOf("ms" to ms(), "timeout" to late.message))
-            out.println("${paint.aside(time(ms()))}  ${paint.doubtful(printable(late.message.orEmpty()))}")
+            out.println("${paint.aside(time(ms()))}  ${paint.doubtful(withControlsShown(late.message.orEmpty()))}")
         }
 
         private fun time(ms: Long) = "${Rates.seconds(ms).padStart(TIME_WIDTH)} s"
@@ -194,7 +194,7 @@ internal class MonitorCommand : DataCommand() {
             val damaged = board.damaged
             if (json) return out.println(jsonOf("summary" to summaryOf(damaged)))
             out.println()
-            rates.summary().forEach { out.println(printable(it)) }
+            rates.summary().forEach { out.println(withControlsShown(it)) }
             if (unanswered > 0) out.println(paint.doubtful("$unanswered requests without an answer"))
             out.println(board.spoken + if (damaged > 0) "; $damaged damaged frames were dropped" else "")
             record?.let { out.println("recorded in $it") }

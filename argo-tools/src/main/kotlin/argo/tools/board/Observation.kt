@@ -3,8 +3,8 @@ package argo.tools.board
 import argo.filters.matching.OWN_BELIEFS
 import argo.filters.matching.perceptsOf
 import argo.filters.matching.whyUnreadable
+import argo.filters.withControlsShown
 import argo.tools.command.counted
-import argo.tools.command.printable
 import javino.PerceptKind
 import javino.PerceptTerm
 import javino.PortException
@@ -74,7 +74,7 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
         end,
         unreadable.firstOrNull()?.let {
             val number = counted(unreadable.size, "percept") + if (unreadable.size == MAX_TEXTS) " or more" else ""
-            "$number left out, which no agent can read, as ${printable(it)}: ${printable(whyUnreadable(it).orEmpty())}"
+            "$number left out, which no agent can read, as ${withControlsShown(it)}: ${withControlsShown(whyUnreadable(it).orEmpty())}"
         },
         ownLeftOut(own),
         if (observed.others == 0L) null else "${counted(observed.others, "percept")} of further kinds left out",

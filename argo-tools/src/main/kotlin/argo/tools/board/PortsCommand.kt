@@ -1,10 +1,10 @@
 package argo.tools.board
 
+import argo.filters.withControlsShown
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
-import argo.tools.command.printable
 import argo.tools.command.requireWithin
 import argo.tools.command.table
 import javino.serial.SerialPortInfo
@@ -53,7 +53,7 @@ internal class PortsCommand : DataCommand() {
         }
         val (missing, ports) = ports().partition { !probe && !describe && isMissing(it.path()) }
         missing.forEach {
-            val name = printable(it.name()).ifEmpty { "without a name" }
+            val name = withControlsShown(it.name()).ifEmpty { "without a name" }
             err.println(paint.bad("there is no port $name; there are: ${present()}"))
         }
         val rows = ports.map { Row(it, SerialPorts.holders(it.name())) }
@@ -94,15 +94,15 @@ internal class PortsCommand : DataCommand() {
     }
 
     private fun describe(row: Row) {
-        val lines = row.board?.description?.lines() ?: listOf(printable(row.board?.result.orEmpty()))
-        out.println("${printable(row.info.name())}: ${lines.first()}")
+        val lines = row.board?.description?.lines() ?: listOf(withControlsShown(row.board?.result.orEmpty()))
+        out.println("${withControlsShown(row.info.name())}: ${lines.first()}")
         lines.drop(1).forEach { out.println("  $it") }
     }
 
     private fun print(rows: List<Row>) {
         if (rows.isEmpty()) return out.println("there are no serial ports; is the board plugged in, with a cable that carries data?")
         val head = listOf("PORT", "USB", "SERIAL", "PRODUCT", "HELD BY") + if (probe) listOf("BOARD") else emptyList()
-        table(head, rows.map { row -> row.cells().map(::printable) }).forEach(out::println)
+        table(head, rows.map { row -> row.cells().map(::withControlsShown) }).forEach(out::println)
     }
 }
 

@@ -1,10 +1,10 @@
 package argo.tools.board
 
+import argo.filters.withControlsShown
 import argo.mcap.McapReader
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.making
-import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.filter.filterIn
@@ -75,8 +75,8 @@ internal class ReplayCommand : JasonCommand() {
             changed.forEach { err.println("$it has changed since; breakpoints and places are those of the recorded program") }
             err.println("agent $agent is paused before its first cycle; attach a debugger, set breakpoints, and have it continue")
         }
-        if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
-        report.problems.forEach { err.println("$file: ${printable(it)}") }
+        if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(withControlsShown(it)) }
+        report.problems.forEach { err.println("$file: ${withControlsShown(it)}") }
         val isGood = report.problems.isEmpty() && report.isWhole && (if (options.isCheck) report.isDeterministic else report.isIdentical)
         return if (isGood) ExitStatus.DONE else ExitStatus.FAILED
     }
@@ -87,8 +87,8 @@ internal class ReplayCommand : JasonCommand() {
         }
         val within = Duration.ofMillis(options.within ?: WITHIN_MS)
         val report = AgentWhatIf(file, options.programs, options.filter?.let(::filterIn), within).run()
-        if (json) out.println(report.json()) else report.lines().forEach { out.println(printable(it)) }
-        report.problems.forEach { err.println("$file: ${printable(it)}") }
+        if (json) out.println(report.json()) else report.lines().forEach { out.println(withControlsShown(it)) }
+        report.problems.forEach { err.println("$file: ${withControlsShown(it)}") }
         return if (report.problems.isEmpty() && report.isIdentical) ExitStatus.DONE else ExitStatus.FAILED
     }
 
@@ -111,7 +111,7 @@ internal class ReplayCommand : JasonCommand() {
 
     private fun board(recording: LineRecording): ReplayBoard {
         val replayed = try {
-            ReplayBoard.of(recording).tellingCommandsTo { out.println("command: ${printable(it)}"); out.flush() }
+            ReplayBoard.of(recording).tellingCommandsTo { out.println("command: ${withControlsShown(it)}"); out.flush() }
         } catch (empty: IllegalArgumentException) {
             throw ToolException("$file: ${empty.message}")
         }

@@ -5,13 +5,13 @@ import argo.check.findings.Finding
 import argo.check.findings.Level
 import argo.check.project.Project
 import argo.check.project.ProjectReader
+import argo.filters.withControlsShown
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.counted
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
-import argo.tools.command.printable
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
@@ -85,8 +85,8 @@ internal class CheckCommand : DataCommand() {
                 Level.HINT -> paint.aside("hint")
             }
             val place = "${fileOf(finding)}:${finding.place.begin}"
-            out.println("$place: $level: ${printable(finding.what)} ${paint.aside("[${finding.rule}]")}")
-            out.println("    ${printable("${finding.why}; ${finding.remedy}")}")
+            out.println("$place: $level: ${withControlsShown(finding.what)} ${paint.aside("[${finding.rule}]")}")
+            out.println("    ${withControlsShown("${finding.why}; ${finding.remedy}")}")
         }
         val counts = Level.entries.associateWith { level -> all.count { it.level == level } }
         val unseen = counts.getValue(Level.HINT).takeIf { !hints && it > 0 }?.let { ", which --hints shows" }.orEmpty()

@@ -1,5 +1,6 @@
 package argo.tools.command
 
+import argo.filters.withControlsShown
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
@@ -59,9 +60,5 @@ internal class Paint(private val enabled: Boolean) {
     private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
 }
 
-/** Replaces control characters in [text] by forms such as `\u001B`. Control characters from a board or a file could command a terminal. */
-internal fun printable(text: String): String =
-    if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")
-
-/** Returns [text] as [printable] does, but keeps its lines. */
-internal fun printableLines(text: String): String = text.lines().joinToString("\n", transform = ::printable)
+/** Returns [text] as [withControlsShown] does, but keeps its lines. */
+internal fun printableLines(text: String): String = text.lines().joinToString("\n", transform = ::withControlsShown)

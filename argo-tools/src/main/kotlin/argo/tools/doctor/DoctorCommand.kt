@@ -1,12 +1,12 @@
 package argo.tools.doctor
 
+import argo.filters.withControlsShown
 import argo.tools.board.Probe
 import argo.tools.board.ProbedBoard
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
-import argo.tools.command.printable
 import argo.tools.doctor.Finding.Level
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
@@ -40,8 +40,8 @@ internal class DoctorCommand(
             Level.WARNING -> paint.doubtful("warning ")
             Level.PROBLEM -> paint.bad("problem ")
         }
-        out.println(mark + printable(finding.what))
-        finding.remedy?.let { out.println("        " + printable(it)) }
+        out.println(mark + withControlsShown(finding.what))
+        finding.remedy?.let { out.println("        " + withControlsShown(it)) }
     }
 
     private fun json(finding: Finding) =

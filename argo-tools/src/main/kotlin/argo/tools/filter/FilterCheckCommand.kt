@@ -4,12 +4,12 @@ import argo.filters.FilterException
 import argo.filters.PerceptionFilter
 import argo.filters.Problem
 import argo.filters.matching.warnings
+import argo.filters.withControlsShown
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.messageOf
-import argo.tools.command.printable
 import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
@@ -40,7 +40,7 @@ internal class FilterCheckCommand : DataCommand() {
         val none = Problem("$file", 1, 1, "there is no filter in this folder: no file with <PerceptionFilter> in it, or with \"rules\"")
         val (filters, others) = filtersIn(file)
         if (filters.isNotEmpty() && others.isNotEmpty()) {
-            val names = others.take(SHOWN).joinToString { printable("$it") } + if (others.size > SHOWN) ", …" else ""
+            val names = others.take(SHOWN).joinToString { withControlsShown("$it") } + if (others.size > SHOWN) ", …" else ""
             err.println("$file: left out, for they look like no filters: $names")
         }
         return filters.map(::check).ifEmpty { listOf(Check(file, null, listOf(none))) }
@@ -55,9 +55,9 @@ internal class FilterCheckCommand : DataCommand() {
     }
 
     private fun print(check: Check) {
-        if (check.filter != null) out.println("${check.file}: ${paint.good("ok")}: ${printable("${check.filter}")}")
-        check.warnings.forEach { out.println("${check.file}: ${paint.doubtful("warning")}: ${printable(it)}") }
-        check.problems.forEach { err.println(paint.bad(printable("$it"))) }
+        if (check.filter != null) out.println("${check.file}: ${paint.good("ok")}: ${withControlsShown("${check.filter}")}")
+        check.warnings.forEach { out.println("${check.file}: ${paint.doubtful("warning")}: ${withControlsShown(it)}") }
+        check.problems.forEach { err.println(paint.bad(withControlsShown("$it"))) }
     }
 
     private fun json(check: Check) = jsonOf(

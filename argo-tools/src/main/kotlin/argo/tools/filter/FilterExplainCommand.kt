@@ -4,11 +4,11 @@ import argo.filters.matching.Explanation
 import argo.filters.matching.Explanation.Outcome
 import argo.filters.matching.matcher
 import argo.filters.matching.perceptsOf
+import argo.filters.withControlsShown
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
-import argo.tools.command.printable
 import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
@@ -39,7 +39,7 @@ internal class FilterExplainCommand : DataCommand() {
     }
 
     private fun painted(explanation: Explanation): String {
-        val text = printable("$explanation")
+        val text = withControlsShown("$explanation")
         return if (explanation.outcome == Outcome.DROPPED) paint.doubtful(text) else text
     }
 

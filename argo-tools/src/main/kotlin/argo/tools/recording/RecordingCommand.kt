@@ -1,5 +1,6 @@
 package argo.tools.recording
 
+import argo.filters.withControlsShown
 import argo.mcap.McapReader
 import argo.recording.replay.ClockDifference
 import argo.tools.command.DataCommand
@@ -7,7 +8,6 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
 import argo.tools.command.nanosOf
-import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.secondsIn
 import argo.tools.command.withAll
@@ -61,8 +61,8 @@ internal class RecordingCommand : DataCommand() {
 
     private fun show(recordings: Map<Path, McapReader>): Int {
         if (wantsMessages) printMessages(JointMessages(recordings), recordings) else recordings.forEach(::printContents)
-        recordings.forEach { (file, one) -> one.problems.forEach { err.println("$file: ${printable(it)}") } }
-        texts.problems.forEach { err.println(printable(it)) }
+        recordings.forEach { (file, one) -> one.problems.forEach { err.println("$file: ${withControlsShown(it)}") } }
+        texts.problems.forEach { err.println(withControlsShown(it)) }
         return if (texts.problems.isEmpty() && recordings.values.all { it.isComplete }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
@@ -71,7 +71,7 @@ internal class RecordingCommand : DataCommand() {
         when {
             name != null -> printFile(file, recording, name)
             json -> out.println(RecordingContents(recording).json())
-            else -> RecordingContents(recording).lines("$file").forEach { out.println(printable(it)) }
+            else -> RecordingContents(recording).lines("$file").forEach { out.println(withControlsShown(it)) }
         }
     }
 
@@ -111,7 +111,8 @@ internal class RecordingCommand : DataCommand() {
             out.println(jsonOf(*from, *members, "message" to parsed(texts.of(message))))
         } else {
             val from = if (files.size == 1) "" else "${timed.file}  "
-            out.println("%9.3f s  %s%s  %s".format(seconds, from, printable(message.channel.topic), printable(texts.of(message))))
+            val words = listOf(message.channel.topic, texts.of(message)).joinToString("  ", transform = ::withControlsShown)
+            out.println("%9.3f s  %s%s".format(seconds, from, words))
         }
     }
 

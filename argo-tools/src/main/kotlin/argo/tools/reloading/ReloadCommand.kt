@@ -1,9 +1,9 @@
 package argo.tools.reloading
 
+import argo.filters.withControlsShown
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
-import argo.tools.command.printable
 import argo.tools.command.printableLines
 import argo.tools.command.requireWithin
 import picocli.CommandLine.Command
@@ -32,7 +32,7 @@ internal class ReloadCommand : ToolCommand() {
         val views = RunningViews(port)
         val outcomes = wanted(views).map { it to views.reload(it) }
         for ((name, outcome) in outcomes) {
-            (if (outcome.isDone) out else err).println("${printable(name)}: ${printableLines(outcome.words)}")
+            (if (outcome.isDone) out else err).println("${withControlsShown(name)}: ${printableLines(outcome.words)}")
         }
         return if (outcomes.all { (_, outcome) -> outcome.isDone }) ExitStatus.DONE else ExitStatus.FAILED
     }

@@ -1,5 +1,6 @@
 package argo.tools.why
 
+import argo.filters.withControlsShown
 import argo.mcap.McapReader
 import argo.recording.replay.Recording
 import argo.recording.why.Answer
@@ -9,7 +10,6 @@ import argo.recording.why.Question
 import argo.recording.why.Why
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
-import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.withAll
 import argo.tools.replay.JasonCommand
@@ -68,7 +68,7 @@ internal class WhyCommand : JasonCommand() {
                 recordings.values.flatMap { it.agents.keys }.joinToString(),
         )
         JointWhy(mapOf(name to recording) + recordings).use { if (isNot) printNot(it.first, recording, asked) else print(it, asked) }
-        recordings.forEach { (name, one) -> one.problems.forEach { err.println("$name: ${printable(it)}") } }
+        recordings.forEach { (name, one) -> one.problems.forEach { err.println("$name: ${withControlsShown(it)}") } }
         return if (recordings.values.all { it.problems.isEmpty() }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
@@ -77,7 +77,8 @@ internal class WhyCommand : JasonCommand() {
         val command = asked.find(why.commands.filter { of == null || it.agent == of })
         val answer = joint.follow(why.answer(command, isTrying = had.isEmpty()))
         val all = if (had.isEmpty()) answer else answer.copy(had = had.map { why.had(command, it) })
-        if (json) out.println(JSON.encodeToString(Answer.serializer(), all)) else WhyText().of(all).forEach { out.println(printable(it)) }
+        if (json) out.println(JSON.encodeToString(Answer.serializer(), all))
+        else WhyText().of(all).forEach { out.println(withControlsShown(it)) }
     }
 
     private fun printNot(why: Why, recording: Recording, asked: Question) {
@@ -85,7 +86,7 @@ internal class WhyCommand : JasonCommand() {
             ?: misuse("--of names one of the agents: ${recording.agents.keys.joinToString()}")
         val answer = why.not(agent, asked)
         if (json) out.println(JSON.encodeToString(NotAnswer.serializer(), answer))
-        else WhyText().of(answer).forEach { out.println(printable(it)) }
+        else WhyText().of(answer).forEach { out.println(withControlsShown(it)) }
     }
 
     private companion object {

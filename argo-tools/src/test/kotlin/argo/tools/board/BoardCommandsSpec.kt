@@ -44,7 +44,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("request prints the answer, and what could command a terminal as text") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);say(\"\u001B[2J\");") }.with { port ->
-            argo("request", port, "getPercepts") shouldBe Output(0, "dist(f,3);say(\"\\u001B[2J\");\n", "")
+            argo("request", port, "getPercepts") shouldBe Output(0, "dist(f,3);say(\"\\x1B[2J\");\n", "")
             val json = Json.parseToJsonElement(argo("request", port, "getPercepts", "--json").out).jsonObject
             json.getValue("answer").jsonPrimitive.content shouldBe "dist(f,3);say(\"\u001B[2J\");"
             json.getValue("protocol").jsonPrimitive.content shouldBe "version 1"

@@ -68,7 +68,7 @@ class ReloadCommandSpec : FunSpec({
             argo("reload", "rob", "--view", "${views.port}") shouldBe
                 Output(1, "", "there is no agent rob at http://127.0.0.1:${views.port}/; there are: a b, robot\n")
             views.agents = """{"agents":["\u001b[2J"]}"""
-            argo("reload", "rob", "--view", "${views.port}").err shouldContain "there are: \\u001B[2J\n"
+            argo("reload", "rob", "--view", "${views.port}").err shouldContain "there are: \\x1B[2J\n"
         }
     }
 
