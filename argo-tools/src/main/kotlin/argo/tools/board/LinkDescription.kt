@@ -7,7 +7,7 @@ import argo.links.Wish
 
 /** The known facts about a board without a serial line, such as a ROS robot. */
 internal class LinkDescription private constructor(scheme: String, actions: List<String>?, percepts: List<String>) : Description {
-    private val facts = mapOf("board" to "a board that speaks $scheme", "actions" to actions, "percepts" to percepts)
+    private val facts = mapOf("board" to "a board that is reached over $scheme", "actions" to actions, "percepts" to percepts)
 
     override fun lines(): List<String> = facts.map { (name, value) ->
         val words = (value as? List<*>)?.joinToString("; ")?.ifEmpty { "none now" } ?: "${value ?: "unknown"}"

@@ -59,7 +59,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
     private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard =
         provider.open(name, true, LineClock.system()).use { link ->
             val description = if (describes) LinkDescription.of(link) else null
-            ProbedBoard("a board that speaks ${provider.scheme}", answers = true, description = description)
+            ProbedBoard("a board that is reached over ${provider.scheme}", answers = true, description = description)
         }
 
     /** Probes the port [name] at [rate]. Without an answer, adds the received bytes to [strays] and returns null. */

@@ -92,7 +92,7 @@ class BoardsElsewhereSpec : FunSpec({
     }
     test("ports --describe tells the actions and the percepts, and that there is no such board") {
         val lines = argo("ports", "--describe", "elsewhere:robot").out.lines()
-        lines[0] shouldBe "elsewhere:robot: a board that speaks elsewhere"
+        lines[0] shouldBe "elsewhere:robot: a board that is reached over elsewhere"
         lines[1] shouldBe "  actions: stop; move/2"
         lines[2] shouldContain "percepts: said("
         argo("ports", "--describe", "elsewhere:none").let {
