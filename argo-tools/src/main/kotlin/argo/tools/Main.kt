@@ -12,6 +12,7 @@ import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintWriter
+import java.util.Locale
 import kotlin.system.exitProcess
 
 /**
@@ -20,6 +21,7 @@ import kotlin.system.exitProcess
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
+    Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT) // numbers are printed as options and questions take them, with a point
     System.setOut(System.err) // only results go to the standard output; agents in a replay and code of projects may print to System.out
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }

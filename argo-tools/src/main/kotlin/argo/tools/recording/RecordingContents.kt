@@ -39,7 +39,7 @@ internal class RecordingContents(private val recording: McapReader) {
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
         val library = recording.library.ifEmpty { "an unknown program" }
-        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by $library, $state".format(seconds))
+        add("$name: ${counted(recording.messageCount, "message")} in ${clock(seconds)}, written by $library, $state")
         addAll(
             table(
                 listOf("TOPIC", "SCHEMA", "MESSAGES", "FIRST", "LAST"),

@@ -15,6 +15,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.nio.channels.FileChannel
+import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
@@ -31,6 +32,18 @@ class RecordingCommandSpec : FunSpec({
         val prints = writer.channel("/robot/print", writer.schema("argo.Print", "{}"))
         (0L..3L).forEach { writer.message(cycles, 7 * SECOND + it * SECOND / 2, 0, """{"cycle":$it}""".encodeToByteArray()) }
         writer.message(prints, 9 * SECOND, 0, "\"\u001B[2J\"".encodeToByteArray())
+    }
+
+    test("seconds have a point in each language, as the options take them") {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val tool = listOf(java, "-Duser.language=de", "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt")
+        val process = ProcessBuilder(tool + listOf("recording", "$file")).start()
+        process.inputReader().readText() shouldContain "5 messages in 2.000 s"
+    }
+
+    test("a percent sign in the name of a recording is shown as it is") {
+        val copy = tempfile(suffix = "50%d.mcap").toPath().apply { writeBytes(file.readBytes()) }
+        argo("recording", "$copy").out shouldContain "$copy: 5 messages in 2.000 s"
     }
 
     test("recording shows what a recording holds") {
