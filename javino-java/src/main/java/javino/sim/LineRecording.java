@@ -117,7 +117,7 @@ public record LineRecording(List<Entry> entries) {
                 }
             }
         } catch (CharacterCodingException e) {
-            throw new IOException(source + ":" + (lines.getLineNumber() + 1) + ": bytes that are not UTF-8", e);
+            throw new IOException(source + ": bytes that are not UTF-8", e);
         } catch (IllegalArgumentException e) {
             throw new IOException(source + ":" + Math.max(1, lines.getLineNumber()) + ": " + e.getMessage(), e);
         }

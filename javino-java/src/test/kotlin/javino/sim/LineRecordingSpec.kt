@@ -91,7 +91,7 @@ class LineRecordingSpec : FunSpec({
     test("a file that is not UTF-8 is refused, not guessed at") {
         val file = tempfile()
         file.writeBytes("javino-recording 1\n9\tin\tü\n".toByteArray(Charsets.ISO_8859_1))
-        shouldThrow<IOException> { LineRecording.read(file.toPath()) }.message shouldBe "$file:1: bytes that are not UTF-8"
+        shouldThrow<IOException> { LineRecording.read(file.toPath()) }.message shouldBe "$file: bytes that are not UTF-8"
     }
 })
 

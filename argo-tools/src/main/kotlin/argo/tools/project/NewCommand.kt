@@ -4,11 +4,13 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
+import argo.tools.command.messageOf
 import argo.tools.command.ownJar
 import argo.tools.command.requireNew
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.copyTo
@@ -66,6 +68,8 @@ internal class NewCommand : ToolCommand() {
             argo.copyTo(lib.resolve("argo.jar"))
             testKit?.copyTo(lib.resolve(TEST_KIT))
             Files.move(draft, target.toAbsolutePath())
+        } catch (trouble: IOException) {
+            throw ToolException("$target cannot be made: ${messageOf(trouble)}")
         } finally {
             draft.toFile().deleteRecursively()
         }
