@@ -50,11 +50,11 @@ internal data class PortOptions(
     /** Returns true if [other] opens a port alike. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
-    /** The list from which [of] reads these options: the baud rate, if one is given, and all options that differ from the default. */
+    /** The list from which [of] reads these options: the baud rate, if a line has one, and all options that differ from the default. */
     val text: String
         get() = LinkSettings.defaults().let { usual ->
             listOfNotNull(
-                "baud(${link.baud()})".takeIf { hasBaud },
+                "baud(${link.baud()})".takeIf { hasBaud && link.baud() <= MAX_BAUD }, // a network's usual rate is higher
                 "timeout($timeoutMs)".takeIf { timeoutMs != DEFAULT_TIMEOUT_MS },
                 "stale($staleMs)".takeIf { staleMs != null },
                 "boot(${link.bootMillis()})".takeIf { link.bootMillis() != usual.bootMillis() },

@@ -43,6 +43,9 @@ class PortOptionsSpec : FunSpec({
         val all = "[baud(115200),timeout(1000),stale(0),boot(0),spacing(3),queue(4),mode(listen),protocol(1),as(left)]"
         of(all).text shouldBe all
         of(of(all).text) shouldBe of(all)
+        listOf("ttyACM0", "tcp://robot:4000", "tls://robot:4433").forEach { port ->
+            of(of("[boot(0)]").on(port).text).on(port) shouldBe of("[boot(0)]").on(port)
+        }
     }
 
     test("an option that cannot be used is refused in words that say what can") {
