@@ -204,7 +204,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
         waiting = perception.waiting
-        return perception.percepts?.also { if (perception.hasNamespaces) deleted.expect(ts.ag, it) }
+        return perception.percepts?.also { deleted.expect(ts.ag, it) }
     }
 
     private fun perceiveBoards(): Perception {
@@ -213,7 +213,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val isBoardNew = perception.update()
         listOfNotNull(environment.dueInMs(), boards.dueInMs()).minOrNull()?.let(waker::wakeIn)
         if (!isEnvironmentNew && !isBoardNew) return NOTHING_NEW
-        return Perception((environment.percepts + perception.beliefs()).toMutableList(), waiting, boards.hasNamespaces)
+        return Perception((environment.percepts + perception.beliefs()).toMutableList(), waiting)
     }
 
     /** Jason calls this function when it has added the events of the new percepts. */

@@ -84,11 +84,6 @@ internal class AgentBoards(
     var areOthers = false
         private set
 
-    /** True if any board has, or had, a namespace other than the default one. */
-    @Volatile
-    var hasNamespaces = false
-        private set
-
     /** True while the agent is paused, see [argo.observing.Pausing]. */
     @Volatile
     private var isStanding = false
@@ -295,7 +290,6 @@ internal class AgentBoards(
         val known = boards.find { it.port === port } ?: boards.find { it.term == term }
         if (known != null && known.namespace == port.options.namespace) return known
         return Board(term, port, this, known).also {
-            if (it.namespace != null) hasNamespaces = true
             boards -= setOfNotNull(known)
             boards += it
             it.renewFilter() // the agent may have changed its filter while it did not perceive the board

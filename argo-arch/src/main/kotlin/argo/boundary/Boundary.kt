@@ -80,9 +80,8 @@ interface Boundary {
  *
  * @property percepts all percepts of the agent now; null if nothing has changed
  * @property waiting the length of the event queue before the events of [percepts] are added; null if events do not take turns
- * @property hasNamespaces whether any percept of the agent has, or had, a namespace other than the default one
  */
-class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
+class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null)
 
 /**
  * A call of an internal action.

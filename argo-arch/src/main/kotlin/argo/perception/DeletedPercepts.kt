@@ -11,18 +11,17 @@ import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
 
 /**
- * Adds the missing namespaces to events of deleted percepts. When Jason deletes `left::dist(f,30)` and finds a plan for
- * `-left::dist(f,30)`, it makes the event `-dist(f,30)`. The agent has no plan for this event. For the agent's thread only.
+ * Adds the missing namespaces and negations to events of deleted percepts. When Jason deletes `left::dist(f,30)` and finds a plan for
+ * `-left::dist(f,30)`, it makes the event `-dist(f,30)`; for `~open(door)` it makes `-open(door)`. For the agent's thread only.
  */
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()
 
     /** Called before Jason replaces all percepts of [agent] by [percepts]. */
     fun expect(agent: Agent, percepts: Collection<Literal>) {
-        val stay = percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
-        deleted = agent.bb.percepts.asSequence()
-            .filter { it.ns != Literal.DefaultNS && it.subjectToBUF() && StructureWrapperForLiteral(it) !in stay }
-            .map { it.copy() as Literal }.filter { hasEvent(agent, it) }.toList()
+        val believed = agent.bb.percepts.asSequence().filter { (it.ns != Literal.DefaultNS || it.negated()) && it.subjectToBUF() }.toList()
+        val stay = if (believed.isEmpty()) emptySet() else percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
+        deleted = believed.filter { StructureWrapperForLiteral(it) !in stay }.map { it.copy() as Literal }.filter { hasEvent(agent, it) }
     }
 
     private fun hasEvent(agent: Agent, percept: Literal) =

@@ -26,6 +26,20 @@ class PerceivingSpec : FunSpec({
         }
     }
 
+    test("a percept that goes has its own event, also with a negation or a namespace in the board's text") {
+        agentOf("""
+            $follower
+            -open(D) <- argo.act(shut(D)).
+            -~open(D) <- argo.act(not_shut(D)).
+            -arm::open(D) <- argo.act(arm_shut(D)).
+        """).use { bob ->
+            bob.perceives("~open(door)", "open(gate)", "arm::open(hand)").shouldBelieve("~open(door) & open(gate) & arm::open(hand)")
+            bob.perceives("open(gate)", "arm::open(hand)").shouldSend("not_shut(door)").shouldSendNothingElse()
+            bob.perceives("~open(gate)", "arm::open(hand)").shouldSend("shut(gate)").shouldSendNothingElse()
+            bob.perceives("open(gate)").shouldSend("not_shut(gate)").shouldSend("arm_shut(hand)").shouldSendNothingElse()
+        }
+    }
+
     test("perception is blocked until it is opened, and blocked again it leaves beliefs as they are") {
         agentOf("""
             !start.

@@ -132,7 +132,7 @@ internal class ReplayedInputs(
 
     override fun perceive(live: () -> Perception): Perception {
         val percepts = reading("percepts") { sensed.perceive(cycle) } ?: return Perception(null)
-        return Perception(percepts.toMutableList(), if (cycle.input.isOfSeveralBoards) ts.c.events.size else null, hasNamespaces = true)
+        return Perception(percepts.toMutableList(), if (cycle.input.isOfSeveralBoards) ts.c.events.size else null)
     }
 
     override fun newlyCritical(live: () -> List<Literal>) = sensed.takeNewlyCritical()
