@@ -25,7 +25,7 @@ from javino2.commands import NOTHING, read_row
 from javino2.frames import ACK, ASK, COMMANDS, COMMANDS_RESUME, Frame, begins_sessions
 
 NUMBERS, WINDOW, IN_FLIGHT, PART_SIZE = 4, 2, 2, 6
-SHALLOW = 60  # states
+SHALLOW = 1000  # states of each set-up
 
 
 class Violation(Exception):
@@ -42,7 +42,7 @@ class Stuck(Exception):
 
 class Setup(NamedTuple):
     """The events that may happen, and how often."""
-    behaviour: tuple  # for each command: D done, R refused, d done later, r refused later
+    kinds: tuple  # for each command the ways in which it may end: D done, R refused, d done later, r refused later
     asks: int = 0
     board_restarts: int = 0
     computer_restarts: int = 0
@@ -58,27 +58,33 @@ def next_nonce(last):
     return last + 1
 
 
-def text_of(command):
-    return b"%c" % (ord("a") + command)
+KINDS = "DRdr"
+
+
+def text_of(command, kind):
+    """The command's text also tells the program how the command ends, so that one exploration has all ways."""
+    return bytes([ord("a") + len(KINDS) * command + KINDS.index(kind)])
 
 
 def number_of(text):
-    return text[0] - ord("a")
+    return (text[0] - ord("a")) // len(KINDS)
+
+
+def kind_of(text):
+    return KINDS[(text[0] - ord("a")) % len(KINDS)]
 
 
 class Program:
-    """The board's program. Command number 0 is the text `a`, and so on."""
+    """The board's program."""
     actions = ()
 
-    def __init__(self, behaviour):
-        self.behaviour = behaviour
+    def __init__(self):
         self.count = 0
         self.pending = None
         self.log = []
 
     def carry_out(self, text):
-        command = number_of(text)
-        kind = self.behaviour[command]
+        command, kind = number_of(text), kind_of(text)
         if kind == "R":
             self.log.append(("refused", command))
             return boards.REFUSES
@@ -86,7 +92,7 @@ class Program:
         self.log.append(("carried out", command))
         if kind == "D":
             return boards.DONE
-        self.pending = command
+        self.pending = text
         return boards.LATER
 
     def percepts(self, functors):
@@ -96,11 +102,11 @@ class Program:
 def step_board(board, event):
     program = board.program
     if event == "report":
-        kind = program.behaviour[program.pending]
-        if kind == "r":
-            program.log.append(("refused", program.pending))
+        refuses = kind_of(program.pending) == "r"
+        if refuses:
+            program.log.append(("refused", number_of(program.pending)))
         program.pending = None
-        frames = board.report(boards.REFUSES if kind == "r" else boards.DONE)
+        frames = board.report(boards.REFUSES if refuses else boards.DONE)
     else:
         if event.kind == ASK and board.session:
             program.log.append(("said", board.session, event.number, tuple(program.percepts(b""))))
@@ -116,13 +122,13 @@ def step_computer(session, event):
     if event[0] == "frame":
         frames = session.receive(event[1], event[2])
     elif event[0] == "send":
-        frames = [session.window.send([text_of(c) for c in event[1]])]
+        frames = [session.window.send(event[1])]
     elif event[0] == "ask":
         frames = [session.ask()]
     elif event[0] == "timer":
         frames = [session.repeat()]
     elif event[0] == "over":
-        session.window.time_over(text_of(event[1]))
+        session.window.time_over(event[1])
     elif event[0] == "give up":
         frames = [session.give_up()]
     elif event[0] == "restart":
@@ -132,6 +138,8 @@ def step_computer(session, event):
     outcomes = tuple((number_of(c), outcome) for c, outcome in session.outcomes)
     answers = tuple((session.nonce, request, tuple(texts)) for request, texts in session.answers if texts is not None)
     session.outcomes, session.answers, session.pages = [], [], []
+    if session.open:
+        session.impossible_numbers = 0  # here no number of them ends the session, so the count would only tell equal states apart
     return tuple(frames), outcomes, answers
 
 
@@ -143,35 +151,36 @@ class State(NamedTuple):
     copy: tuple  # frames that come once more
     left: tuple  # asks, board restarts, computer restarts, sessions given up, over, strays, copies
     sent: int  # commands that went out
-    carried: int  # a bit for each command
+    # a bit for each command
+    carried: int
     refused: int
     over: int
-    reported: tuple  # for each command its outcome or None
+    reported: int
     said: tuple  # (session, request, texts), for what was asked
 
 
 class Model:
     def __init__(self, setup):
         self.setup = setup
-        self.commands = len(setup.behaviour)
+        self.commands = len(setup.kinds)
         self.believed = 0
         self.computers, self.boards = Machine(step_computer), Machine(step_board)
         self.fresh_board = self.boards.id_of(self._board())
         # Only the protocol's other rules may show that a number cannot be right.
         session = sessions.Session(lambda last: next_nonce(last), NUMBERS, WINDOW, impossible=None)
-        self.start = State(self.computers.id_of(session), self.fresh_board, (), (), (), setup[1:], 0, 0, 0, 0, (None,) * self.commands, ())
+        self.start = State(self.computers.id_of(session), self.fresh_board, (), (), (), setup[1:], 0, 0, 0, 0, 0, ())
 
     def _board(self):
-        return boards.Board(Program(self.setup.behaviour), numbers=NUMBERS, part_size=PART_SIZE)
+        return boards.Board(Program(), numbers=NUMBERS, part_size=PART_SIZE)
 
     # ---- steps of one end ----
 
     def computer(self, state, event):
         id, (frames, outcomes, answers) = self.computers.after(state.computer, event)
-        reported = list(state.reported)
+        reported = state.reported
         for command, outcome in outcomes:
             self._check_outcome(state, reported, command, outcome)
-            reported[command] = outcome
+            reported |= 1 << command
         for answer in answers:
             self.believed += 1
             if answer not in state.said:
@@ -179,7 +188,7 @@ class Model:
         for frame in frames:
             self._check_sent(state, frame)
         sealed = sealed_in(self.computers.objects[id].nonce, frames)
-        return state._replace(computer=id, to_board=state.to_board + sealed, reported=tuple(reported))
+        return state._replace(computer=id, to_board=state.to_board + sealed, reported=reported)
 
     def to_computer(self, state, sealed, lately):
         """A frame from the board arrives; one of another session is damaged."""
@@ -212,20 +221,20 @@ class Model:
 
     @staticmethod
     def _check_outcome(state, reported, command, outcome):
-        if reported[command] is not None:
+        if reported >> command & 1:
             raise Violation(f"the outcome of command {command} is reported twice")
         refused, carried = state.refused >> command & 1, state.carried >> command & 1
         if outcome == windows.DONE and (refused or not carried):
             raise Violation(f"command {command} is reported done, and was {'refused' if refused else 'not carried out'}")
         if outcome == windows.REFUSED and not refused:
             raise Violation(f"command {command} is reported refused, and was not")
-        if outcome == windows.DONE and any(reported[c] is None for c in range(command)):
+        if outcome == windows.DONE and ~reported & ((1 << command) - 1):
             raise Violation(f"command {command} is reported done before one in front of it")
 
     @staticmethod
     def _check_order(state, command):
         for c in range(command):
-            if state.refused >> c & 1 and state.reported[c] is None:
+            if state.refused >> c & 1 and not state.reported >> c & 1:
                 raise Violation(f"command {command} is handled before the computer has seen that {c} was refused")
 
     @staticmethod
@@ -235,10 +244,21 @@ class Model:
                 if command is not NOTHING and state.over >> number_of(command) & 1:
                     raise Violation(f"command {number_of(command)} is sent although its time is over")
 
+    def needed(self, state):
+        """Returns the state without what no check reads any more, so that states which differ in nothing else are one.
+
+        Of the commands that are reported, only the number of the last one carried out is read, and of the board's answers only those to
+        questions that are open.
+        """
+        session = self.computers.objects[state.computer]
+        carried = state.carried & ~state.reported | 1 << state.carried.bit_length() >> 1
+        said = state.said and tuple(s for s in state.said if session.open and s[0] == session.nonce and s[1] in session.asked)
+        return state._replace(carried=carried, refused=state.refused & ~state.reported, said=said)
+
     # ---- events ----
 
     def next(self, state):
-        """Yields all events that may happen: the name, and a function that returns the next state."""
+        """Yields all events that may happen: words for show(), and a function that returns the next state."""
         session = self.computers.objects[state.computer]
         board = self.boards.objects[state.board]
         left = state.left
@@ -247,20 +267,20 @@ class Model:
             behind = state._replace(to_board=state.to_board[1:])
             yield "lost on the way to the board", lambda: behind
             if len(state.to_computer) < IN_FLIGHT:
-                yield f"to the board: {show(state.to_board[0])}", lambda: self.to_board(behind, state.to_board[0])
+                yield ("to the board:", state.to_board[0]), lambda: self.to_board(behind, state.to_board[0])
                 if left[6]:
                     copied = spend(behind, 6)._replace(copy=state.copy + state.to_board[:1])
-                    yield f"to the board, and later again: {show(state.to_board[0])}", lambda: self.to_board(copied, state.to_board[0])
+                    yield ("to the board, and later again:", state.to_board[0]), lambda: self.to_board(copied, state.to_board[0])
         if state.copy and len(state.to_computer) < IN_FLIGHT:
             rest = state._replace(copy=state.copy[1:])
-            yield f"to the board once more: {show(state.copy[0])}", lambda: self.to_board(rest, state.copy[0])
+            yield ("to the board once more:", state.copy[0]), lambda: self.to_board(rest, state.copy[0])
         if state.to_computer:
             before = state._replace(to_computer=state.to_computer[1:])
             yield "lost on the way to the computer", lambda: before
             if room:
                 frame = state.to_computer[0]
-                yield f"to the computer: {show(frame)}", lambda: self.to_computer(before, frame, False)
-                yield f"to the computer, lately repeated: {show(frame)}", lambda: self.to_computer(before, frame, True)
+                yield ("to the computer:", frame), lambda: self.to_computer(before, frame, False)
+                yield ("to the computer, lately repeated:", frame), lambda: self.to_computer(before, frame, True)
         if board.busy and len(state.to_computer) < IN_FLIGHT:
             yield "the outcome of an action", lambda: self.board(state, "report")
         if room:
@@ -273,12 +293,11 @@ class Model:
         if left[4] and session.open:
             for entry in session.window.out:
                 if not entry.over:
-                    command = number_of(entry.command)
-                    yield f"the time of command {command} is over", lambda c=command: self._over(state, c)
+                    yield ("the time is over of", entry.command), lambda text=entry.command: self._over(state, text)
 
-    def _over(self, state, command):
-        state = self.computer(spend(state, 4), ("over", command))
-        return state._replace(over=state.over | 1 << command)
+    def _over(self, state, text):
+        state = self.computer(spend(state, 4), ("over", text))
+        return state._replace(over=state.over | 1 << number_of(text))
 
     def _sendings(self, state, session):
         left = state.left
@@ -286,7 +305,8 @@ class Model:
             yield "timer", lambda: self.computer(state, ("timer",))
         if session.open:
             for n in range(1, min(session.window.room(), self.commands - state.sent) + 1):
-                yield f"{n} commands are sent", lambda n=n: self._send(state, n)
+                for row in self._rows(state, n):
+                    yield ("are sent:", *row), lambda row=row: self._send(state, row)
             if left[0]:
                 yield "ask", lambda: self.computer(spend(state, 0), ("ask",))
             if left[3]:
@@ -294,16 +314,20 @@ class Model:
         if left[2]:
             yield "the computer restarts", lambda: self._restart(state, session)
 
-    def _send(self, state, n):
-        return self.computer(state, ("send", tuple(range(state.sent, state.sent + n))))._replace(sent=state.sent + n)
+    def _rows(self, state, n):
+        """Returns the rows of the next n commands, in all ways in which these may end."""
+        return product(*([text_of(c, kind) for kind in self.setup.kinds[c]] for c in range(state.sent, state.sent + n)))
+
+    def _send(self, state, row):
+        return self.computer(state, ("send", row))._replace(sent=state.sent + len(row))
 
     def _restart(self, state, session):
         """The commands that were out are forgotten with the computer."""
-        reported = list(state.reported)
+        reported = state.reported
         if session.open:
             for entry in session.window.out:
-                reported[number_of(entry.command)] = windows.UNCONFIRMED
-        return self.computer(spend(state, 2), ("restart",))._replace(reported=tuple(reported))
+                reported |= 1 << number_of(entry.command)
+        return self.computer(spend(state, 2), ("restart",))._replace(reported=reported)
 
     # ---- progress ----
 
@@ -328,7 +352,7 @@ class Model:
         if session.open and self._is_deaf(state):
             return self.computer(state, ("give up",))  # behind four repetitions without an answer
         if session.open and not session.window.out and state.sent < self.commands:
-            return self._send(state, min(WINDOW, self.commands - state.sent))
+            return self._send(state, next(self._rows(state, min(WINDOW, self.commands - state.sent))))
         return self.computer(state, ("timer",))
 
     def check_progress(self, states):
@@ -341,24 +365,27 @@ class Model:
 
     def _check_ends(self, state, good):
         """Checks that from here on everything ends, and a question is answered; `good` are the states of which this is known."""
+        way, end = self._way_to_end(state, good)
+        if end not in good:
+            self._check_answered(end)
+        good |= way
+        good.add(end)
+
+    def _way_to_end(self, state, good=()):
+        """Returns the states in front of the first one that is settled or known to be good, and that one."""
         way = set()
         while state not in good and not self.settled(state):
             if state in way:
                 raise Violation("the same happens again and again")
             way.add(state)
-            state = self.fair(state)
-        if state not in good:
-            self._check_answered(state)
-        good |= way
-        good.add(state)
+            state = self.needed(self.fair(state))
+        return way, state
 
     def _check_answered(self, state):
         """Checks that one of three questions is answered: the first may find that the board was restarted, the second a void answer."""
         before = self.believed
         for _ in range(3):
-            state = self.computer(state, ("ask",))
-            while not self.settled(state):
-                state = self.fair(state)
+            _, state = self._way_to_end(self.computer(state, ("ask",)))
             if self.believed > before:
                 return
         raise Violation("three questions without an answer")
@@ -375,9 +402,16 @@ def sealed_in(nonce, frames):
     return tuple((0 if begins_sessions(frame.kind) else nonce, frame) for frame in frames)
 
 
-def show(sealed):
-    frame = sealed[1]
-    return f"{frame.kind:02X} {frame.number} {frame.payload.hex()}"
+def show(words):
+    """The text of an event: words, commands' texts and frames, also in tuples."""
+    if isinstance(words, bytes):
+        return f"{number_of(words)}{kind_of(words)}"
+    if isinstance(words, str):
+        return words
+    if isinstance(words[-1], Frame):
+        frame = words[-1]
+        return f"{frame.kind:02X} {frame.number} {frame.payload.hex()}"
+    return " ".join(map(show, words))
 
 
 def explore(setup, limit=10**9):
@@ -387,13 +421,13 @@ def explore(setup, limit=10**9):
     todo = deque([model.start])
     while todo and len(came) < limit:
         state = todo.popleft()
-        for name, event in model.next(state):
+        for words, event in model.next(state):
             try:
-                after = event()
+                after = model.needed(event())
             except Violation as violation:
-                raise Violation("\n".join(way_to(came, state) + [name, f"=> {violation}"])) from None
+                raise Violation("\n".join(way_to(came, state) + [show(words), f"=> {violation}"])) from None
             if after not in came:
-                came[after] = (state, name)
+                came[after] = (state, words)
                 todo.append(after)
     try:
         model.check_progress(came)
@@ -405,30 +439,24 @@ def explore(setup, limit=10**9):
 def way_to(came, state):
     way = []
     while came[state] is not None:
-        state, name = came[state]
-        way.append(name)
+        state, words = came[state]
+        way.append(show(words))
     return way[::-1]
 
 
 def setups():
     """The set-ups that are explored: all outcomes of the commands, and in turn everything else that may happen."""
-    yield Setup("DDDD")
-    for behaviour in ("D", "R", "d"):
-        yield Setup(behaviour, asks=2, sessions_given_up=1)
-        yield Setup(behaviour, asks=2, board_restarts=1)
-    for behaviour in ("DD", "DR", "RD", "dD"):
-        yield Setup(behaviour, asks=2)
-    for behaviour in product("RDd", repeat=3):
-        yield Setup(behaviour, strays=1)
-        yield Setup(behaviour, over=1)
-        yield Setup(behaviour, computer_restarts=1)
-        yield Setup(behaviour, sessions_given_up=1)
-        yield Setup(behaviour, board_restarts=1)
-    for behaviour in ("DD", "RD", "dD"):
-        yield Setup(behaviour, copies=1, sessions_given_up=1)
-    yield Setup("RD", board_restarts=1, computer_restarts=1, sessions_given_up=1, over=1)
-    for behaviour in product("DRdr", repeat=4):
-        yield Setup(behaviour)
+    yield Setup(["RDd"], asks=2, sessions_given_up=1)
+    yield Setup(["RDd"], asks=2, board_restarts=1)
+    yield Setup(["RDd"] * 2, asks=2)
+    yield Setup(["RDd"] * 3, strays=1)
+    yield Setup(["RDd"] * 3, over=1)
+    yield Setup(["RDd"] * 3, computer_restarts=1)
+    yield Setup(["RDd"] * 3, sessions_given_up=1)
+    yield Setup(["RDd"] * 3, board_restarts=1)
+    yield Setup(["RDd"] * 2, copies=1, sessions_given_up=1)
+    yield Setup(["R", "D"], board_restarts=1, computer_restarts=1, sessions_given_up=1, over=1)
+    yield Setup([KINDS] * 4)
 
 
 def explore_all(limit=10**9):

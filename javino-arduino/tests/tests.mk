@@ -124,8 +124,10 @@ tls: $(BUILD)/tls/board
 vectors:
 	python3 vectors/reference.py
 
-model:
+model: model-explored model-defects
+model-explored:
 	python3 tests/model.py
+model-defects:
 	python3 tests/model.py --mutations
 
 differential: $(HOST)/driven
