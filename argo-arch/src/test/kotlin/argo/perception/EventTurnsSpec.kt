@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.long
 import io.kotest.property.checkAll
@@ -40,7 +41,7 @@ class EventTurnsSpec : FunSpec({
     }
 
     test("each event is reached in a number of turns that no later event changes, though more events come than Jason takes") {
-        checkAll(50, Arb.long(), Arb.int(2..8)) { seed, boards ->
+        checkAll(PropertyTesting.defaultIterationCount / 20, Arb.long(), Arb.int(2..8)) { seed, boards ->
             val random = Random(seed)
             val queue = ConcurrentLinkedQueue<Event>()
             val due = IdentityHashMap<Event, Int>()

@@ -15,6 +15,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
@@ -82,7 +83,7 @@ class BoardRuleMappingSpec : FunSpec({
     test("a rule that is mapped to a board decides as the filter does") {
         var mapped = 0
         var met = 0
-        checkAll(20_000, rules, percepts) { rule, percept ->
+        checkAll(20 * PropertyTesting.defaultIterationCount, rules, percepts) { rule, percept ->
             val critical = CriticalRule(rule, "stop")
             val boardRule = boardRuleOf(critical) ?: return@checkAll
             mapped++
@@ -92,7 +93,7 @@ class BoardRuleMappingSpec : FunSpec({
                 HeldRules.isMet(boardRule, PerceptTerm.of("$percept;"), false) shouldBe byFilter
             }
         }
-        mapped shouldBeGreaterThan 5_000
-        met shouldBeGreaterThan 500
+        mapped shouldBeGreaterThan 5 * PropertyTesting.defaultIterationCount
+        met shouldBeGreaterThan PropertyTesting.defaultIterationCount / 2
     }
 })

@@ -26,7 +26,7 @@ private val changes = Arb.bind(Arb.int(0..3), texts.map { now -> now.map { it.re
 class CompactCycleSpec : FunSpec({
     test("a cycle is read as it was") {
         val places = Arb.element(Place("go", "robot.asl", 3), Place("p__2", "robot.asl", 9), Place())
-        checkAll(1_000, Arb.list(snapshots, 0..3), changes, places, places) { snapshots, change, plan, stepOf ->
+        checkAll(Arb.list(snapshots, 0..3), changes, places, places) { snapshots, change, plan, stepOf ->
             val step = Step(1, 1, if (stepOf == Place()) plan else stepOf, 4, "argo.act(stop)")
             val cycle = Cycle(1, 1, 7, input = Input(snapshots = snapshots, percepts = change), course = Course(plan = plan, step = step))
             val text = Json.encodeToString(Cycle.serializer(), cycle.compact())

@@ -4,6 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.bind
 import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.constant
@@ -39,7 +40,7 @@ private val rules: Arb<BoardRule> = Arb.bind(words, Arb.list(conditions, 0..4), 
 
 class PayloadsPropertySpec : FunSpec({
     test("commands come back, and of a row that is cut those in front of the cut") {
-        checkAll(1_000, Arb.list(items, 0..8)) { row ->
+        checkAll(Arb.list(items, 0..8)) { row ->
             val payload = row.joinToString("") { it.payload() }
             CommandItem.read(payload) shouldContainExactly row
             val ends = row.runningFold(0) { end, item -> end + item.payload().length }
@@ -48,7 +49,7 @@ class PayloadsPropertySpec : FunSpec({
     }
 
     test("any bytes are a row of commands, and what comes behind does not change those that are whole") {
-        checkAll(5_000, texts(0..60), texts(0..9)) { payload, more ->
+        checkAll(5 * PropertyTesting.defaultIterationCount, texts(0..60), texts(0..9)) { payload, more ->
             val row = CommandItem.read(payload)
             CommandItem.read(payload + more).take(row.size) shouldBe row
         }
@@ -93,7 +94,7 @@ class PayloadsPropertySpec : FunSpec({
     }
 
     test("a rule comes back from its command, and one that is cut is another or none") {
-        checkAll(1_000, rules, Arb.int(1..255)) { rule, number ->
+        checkAll(rules, Arb.int(1..255)) { rule, number ->
             val text = rule.setting(number).text()
             text[0].code shouldBe number
             BoardRule.read(CommandItem.Rule(text)) shouldBe rule
@@ -102,7 +103,7 @@ class PayloadsPropertySpec : FunSpec({
     }
 
     test("any bytes are a rule or none") {
-        checkAll(5_000, texts(0..40)) { BoardRule.read(CommandItem.Rule("\u0007$it")) }
+        checkAll(5 * PropertyTesting.defaultIterationCount, texts(0..40)) { BoardRule.read(CommandItem.Rule("\u0007$it")) }
     }
 
     test("what removes rules sets none") {

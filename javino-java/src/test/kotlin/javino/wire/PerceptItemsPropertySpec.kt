@@ -4,6 +4,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.boolean
 import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.element
@@ -55,7 +56,7 @@ class PerceptItemsPropertySpec : FunSpec({
     }
 
     test("items that are cut or damaged give a text or none, and never throw") {
-        checkAll(1_000, percepts, Arb.int(0..2_000), texts(1..1)) { texts, at, octet ->
+        checkAll(percepts, Arb.int(0..2_000), texts(1..1)) { texts, at, octet ->
             val board = PerceptWriter(126)
             val computer = PerceptDecoder()
             computer.read(board.items(texts, 0), LIMIT)
@@ -69,7 +70,7 @@ class PerceptItemsPropertySpec : FunSpec({
     }
 
     test("any bytes as items do no harm, and what cannot be read leaves nothing known") {
-        checkAll(5_000, texts(0..40)) { items ->
+        checkAll(5 * PropertyTesting.defaultIterationCount, texts(0..40)) { items ->
             val computer = PerceptDecoder()
             if (computer.read(items, LIMIT).isEmpty) computer.known() shouldBe 0
         }

@@ -31,6 +31,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.PropertyTesting
 import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 
@@ -80,7 +81,7 @@ class CriticalRuleSpec : FreeSpec({
     }
 
     "a percept is critical as text and as literal alike, and then it is kept" {
-        checkAll(2_000, filters, perceptTexts) { filter, text ->
+        checkAll(2 * PropertyTesting.defaultIterationCount, filters, perceptTexts) { filter, text ->
             val matcher = filter.matcher()
             val rules = matcher.criticalRules(text)
             matcher.criticalRules(perceptText(ASSyntax.parseLiteral(text))) shouldBe rules
@@ -89,7 +90,7 @@ class CriticalRuleSpec : FreeSpec({
     }
 
     "a filter without critical rules does what it would without them" {
-        checkAll(1_000, filters, perceptTexts) { filter, text ->
+        checkAll(filters, perceptTexts) { filter, text ->
             val plain = PerceptionFilter(filter.name, filter.rules, filter.mode, filter.onSwitch).matcher()
             val matcher = filter.matcher()
             if (matcher.criticalRules(text).isEmpty()) matcher.drops(text) shouldBe plain.drops(text)

@@ -17,6 +17,7 @@ import argo.filters.matching.Explanation.Outcome
 import argo.filters.perceptTexts
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 
@@ -65,7 +66,7 @@ class ExplanationSpec : StringSpec({
     }
 
     "it agrees with what the matcher does" {
-        checkAll(2_000, filters, perceptTexts) { filter, text ->
+        checkAll(2 * PropertyTesting.defaultIterationCount, filters, perceptTexts) { filter, text ->
             val matcher = filter.matcher()
             (matcher.explain(text).outcome == Outcome.DROPPED) shouldBe matcher.drops(text)
         }

@@ -17,7 +17,7 @@ private val sizes = Arb.element(3, 5, 7, 99)
 
 class SortedWindowSpec : StringSpec({
     "its median is that of the last numbers, of two in the middle the newer one" {
-        checkAll(1_000, series, sizes) { numbers, size ->
+        checkAll(series, sizes) { numbers, size ->
             val window = SortedWindow(size)
             numbers.forEachIndexed { at, number ->
                 window.add(number)
@@ -32,7 +32,7 @@ class SortedWindowSpec : StringSpec({
     }
 
     "its median distance is that of all distances to the middle" {
-        checkAll(1_000, series, sizes) { numbers, size ->
+        checkAll(series, sizes) { numbers, size ->
             val window = SortedWindow(size)
             numbers.forEach(window::add)
             val distances = numbers.takeLast(size).map { abs(it - window.middle()) }.sorted()

@@ -7,6 +7,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.map
@@ -34,11 +35,11 @@ class TermTextSpec : FunSpec({
     }
 
     test("each term that Jason has") {
-        checkAll(3000, Arb.terms()) { shouldReturn(it) }
+        checkAll(3 * PropertyTesting.defaultIterationCount, Arb.terms()) { shouldReturn(it) }
     }
 
     test("a percept or belief, where one word is a literal") {
-        checkAll(1000, Arb.literals()) { literal ->
+        checkAll(Arb.literals()) { literal ->
             val text = literalText(literal)
             withClue("$literal, written $text") { differences(literal, literalOf(text)).shouldBeEmpty() }
         }
@@ -135,7 +136,8 @@ class TermTextSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { contentOf("x(\"" + "y".repeat(1000), agent) }.message shouldBe
             "Jason cannot read \"x(\"${"y".repeat(197)}…\""
         val signs = Arb.element("", "(", ")", "#", "\"", ",", "1", "_", "[", "|", "::", ".", "\\")
-        checkAll(2000, Arb.terms().map { textOf(it) }, Arb.int(0..1000), signs) { written, place, sign ->
+        val texts = Arb.terms().map { textOf(it) }
+        checkAll(2 * PropertyTesting.defaultIterationCount, texts, Arb.int(0..1000), signs) { written, place, sign ->
             val text = written.replaceRange(place % written.length, place % written.length + 1, sign)
             val failure = runCatching { contentOf(text, agent) }.exceptionOrNull()
             withClue("$text: $failure") { (failure == null || failure is IllegalArgumentException) shouldBe true }
