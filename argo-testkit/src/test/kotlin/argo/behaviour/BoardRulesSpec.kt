@@ -102,7 +102,7 @@ class BoardRulesSpec : FunSpec({
 
     test("a flood of reports neither stops the agent nor fills its beliefs") {
         bob("careful", 20) { board.version2().holdsRules(4).shows("dist(f,90)") }.use { bob ->
-            repeat(400) {
+            repeat(150) {
                 bob.board.reports(CriticalReport(1, ReflexOutcome.NONE, "noise(${"n".repeat(it % 200 + 1)});"))
                 bob.after(1.milliseconds)
             }

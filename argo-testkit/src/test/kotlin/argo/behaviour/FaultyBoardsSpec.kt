@@ -46,10 +46,10 @@ class FaultyBoardsSpec : FunSpec({
             +!reach(G) <- +reached(G).
         """) { board.ignoresRequests() }.use { bob ->
             fun garbage() = bob.board.disturbs(String(random.nextBytes(256), Charsets.ISO_8859_1))
-            repeat(300) { garbage(); bob.after(5.milliseconds) }
+            repeat(100) { garbage(); bob.after(5.milliseconds) }
             bob.shouldBelieve("port(ttyACM0,timeout)")
             val before = bob.beliefs
-            repeat(20) {
+            repeat(5) {
                 bob.shouldReason("g$it")
                 repeat(20) { garbage(); bob.after(5.milliseconds) }
             }

@@ -29,6 +29,7 @@ class ExploreSpec : FunSpec({
         val outcome = outcomeOf("$file") {
             ages.describe(this)
             runs = 60
+            mostEvents = 3
         }
         val found = outcome.shouldBeInstanceOf<Found>()
         found.rule shouldBe "stops when blind"

@@ -19,7 +19,7 @@ import kotlin.math.roundToInt
 import kotlin.time.Duration.Companion.minutes
 
 private const val REQUEST = "getPercepts"
-private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
+private val EXCHANGES = Integer.getInteger("argo.exchanges", 5_000)
 private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0).withProtocol(Protocol.V1)
 
 /** An answer like that of a robot with twelve sensors. Two such answers do not fit into one frame. */

@@ -33,7 +33,7 @@ private const val ASK_BYTES = 7
 private const val ANSWER_BYTES = 42
 
 /** Number of exchanges at each fault rate, half of them actions. `./argo bench faults` makes a million. */
-private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
+private val EXCHANGES = Integer.getInteger("argo.exchanges", 5_000)
 
 /** The share of exchanges that one of three tries completes undamaged. */
 private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back: Int): Double {

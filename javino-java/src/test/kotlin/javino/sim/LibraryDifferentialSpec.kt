@@ -285,7 +285,7 @@ class LibraryDifferentialSpec : FunSpec({
             played.count { (_, named) -> named.any { it.startsWith("PERCEPTS") } } shouldBeGreaterThan CONVERSATIONS
         }
 
-    for ((cases, tags) in listOf(CONVERSATIONS to emptySet(), 10 * CONVERSATIONS to thorough)) {
+    for ((cases, tags) in listOf(CONVERSATIONS / 4 to emptySet(), 10 * CONVERSATIONS to thorough)) {
         test("both refuse the same rules, and find the same ones met, in $cases cases")
             .config(tags = tags, enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
                 val board = SessionBoard(rules = 8)
