@@ -1,12 +1,13 @@
 package argo.acting
 
-import io.kotest.core.NamedTag
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
+@Tags("Thorough")
 class CommandLedgerInterleavingsSpec : FunSpec({
-    test("a command that was issued while the port changed is awaited on its own port alone").config(tags = thorough) {
+    test("a command that was issued while the port changed is awaited on its own port alone") {
         inEachInterleaving {
             val inUse = Holder("a")
             val ledger = CommandLedger { inUse.port }
@@ -29,5 +30,3 @@ class CommandLedgerInterleavingsSpec : FunSpec({
 })
 
 private class Holder(@Volatile var port: String)
-
-private val thorough = setOf(NamedTag("Thorough"))
