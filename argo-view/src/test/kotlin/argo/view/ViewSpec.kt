@@ -307,8 +307,8 @@ class ViewSpec : FunSpec({
             board.lenient()
             ViewedMas().use { mas ->
                 val port = ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { it.localPort }
-                mas.agent("ann", "likes(tea).", view = "$port")
-                mas.agent("bob", "likes(milk).", view = "$port")
+                mas.agent("ann", "likes(tea).", mapOf("argo_view" to "$port"))
+                mas.agent("bob", "likes(milk).", mapOf("argo_view" to "$port"))
                 val (ann, bob) = listOf("ann", "bob").map(mas::viewOf)
                 listOf(ann.path, bob.path, "${ann.port}", "${bob.port}") shouldBe listOf("/ann/", "/bob/", "$port", "$port")
                 Watcher(bob).use { watcher ->
@@ -477,7 +477,7 @@ class ViewSpec : FunSpec({
     test("a port that is taken is reported, and the agent runs without a view") {
         ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
             ViewedMas().use { mas ->
-                mas.agent("bob", "!start.\n+!start <- +ready.", view = "${taken.localPort}")
+                mas.agent("bob", "!start.\n+!start <- +ready.", mapOf("argo_view" to "${taken.localPort}"))
                 mas.awaitBelief("bob", "ready")
                 mas.log shouldContain "argo_view=${taken.localPort}: port ${taken.localPort} cannot be had"
             }
@@ -488,7 +488,7 @@ class ViewSpec : FunSpec({
         listOf("true", "-1", "65536", "80 80", "\"\"", "8080.5").forEach { word ->
             test("argo_view=$word") {
                 ViewedMas().use { mas ->
-                    mas.agent("bob", "!start.\n+!start <- +ready.", view = word)
+                    mas.agent("bob", "!start.\n+!start <- +ready.", mapOf("argo_view" to word))
                     mas.awaitBelief("bob", "ready")
                     mas.log shouldContain "a view has the number of a port from 0 to 65535"
                     viewThreads() shouldBe emptyList()

@@ -25,6 +25,7 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
+import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
@@ -48,7 +49,7 @@ internal suspend fun awaitGrowth(goal: Int, clue: () -> String, count: () -> Int
 }
 
 /** Jason's Local infrastructure in this process, in real time, for agents given as text. Only one may exist at a time. */
-internal class LocalMas : AutoCloseable {
+internal open class LocalMas : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-mas")
     private val mas = RunLocalMAS()
     private val records = ConcurrentLinkedQueue<LogRecord>()
@@ -72,12 +73,15 @@ internal class LocalMas : AutoCloseable {
 
     val log: String get() = records.joinToString("\n") { "${it.level} ${it.loggerName}: ${it.message}" }
 
-    /** Writes a file with [text] that programs can include, and returns its path. */
-    fun file(name: String, text: String): Path = directory.resolve(name).apply { writeText(text) }
+    /** Writes a file with [text] into the project, and returns its path. */
+    fun file(name: String, text: String): Path = directory.resolve(name).apply {
+        parent.createDirectories()
+        writeText(text)
+    }
 
     /** Starts an agent with [program]. [options] are its options in the `.mas2j`, [behind] is a second architecture. */
-    fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
-        agentOf(name, "${directory.resolve("$name.asl").apply { writeText(program) }}", options, behind)
+    open fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
+        agentOf(name, "${file("${name.replace(Regex("\\W"), "_")}.asl", program)}", options, behind)
     }
 
     /** Starts an agent with the program at [source], a path or a URL. */
@@ -87,7 +91,9 @@ internal class LocalMas : AutoCloseable {
         services.startAgent(services.createAgent(name, source, null, listOfNotNull("argo.Arch", behind), null, settings, null))
     }
 
-    fun observed(name: String): ObservedAgent = (mas.getAg(name).firstAgArch as Arch).observed
+    fun arch(name: String): Arch = generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().single()
+
+    fun observed(name: String): ObservedAgent = arch(name).observed
 
     fun achieve(name: String, goal: String) {
         mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
