@@ -7,11 +7,13 @@ import experiment.report.Scaling
 import experiment.report.Source
 import experiment.report.TimeScale
 import experiment.report.analysis
+import experiment.report.escaped
 import experiment.report.fate
 import experiment.report.median
 import experiment.report.promise
 import experiment.report.publishedClaims
 import experiment.report.rounded
+import experiment.report.svg
 import experiment.report.time
 import experiment.report.writeReport
 import io.kotest.core.spec.style.FunSpec
@@ -23,6 +25,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
+import org.jetbrains.letsPlot.intern.Plot
+import org.jetbrains.letsPlot.intern.toSpec
 import java.io.ByteArrayInputStream
 import java.time.Instant
 import javax.imageio.ImageIO
@@ -43,8 +47,9 @@ private fun pattern(trial: Trial): Entry.Result = when {
 
 private fun made(vararg conditions: Condition) = conditions.flatMap { Plan.FULL.trials(it) }.map { Finished(it, pattern(it)) }
 
-/** A figure for tests of what the page says: drawing takes most of a report's time. */
-private fun blank(@Suppress("unused") plot: Any) = """<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>"""
+/** A figure for tests of the page's text, with its labels as a description: drawing takes most of a report's time. */
+private fun undrawn(plot: Plot) =
+    """<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><desc>${escaped("${plot.toSpec()}")}</desc></svg>"""
 
 private val MADE = Provenance("0.1.0, commit abc", Instant.parse("2026-11-22T10:15:30Z"), "a machine")
 
@@ -53,11 +58,11 @@ class ReportSpec : FunSpec({
     val reports = mutableMapOf<List<Condition>, String>()
 
     fun pageOf(runs: List<Finished>, of: Settings<Plan> = settings): String =
-        writeReport(tempdir().toPath(), of, runs, MADE, ::blank).readText()
+        writeReport(tempdir().toPath(), of, runs, MADE, ::undrawn).readText()
 
     fun report(vararg conditions: Condition): String = reports.getOrPut(conditions.toList()) { pageOf(made(*conditions)) }
 
-    test("the page is whole: it asks nothing of the network and shows each figure in light and dark") {
+    test("the page is whole: it asks nothing of the network, and each figure is light and dark, and there as SVG and PNG") {
         val directory = tempdir().toPath()
         val scaled = Plan.FULL.scaling(Condition.DEFAULTS).map { Finished(it, pattern(it)) }
         val page = writeReport(directory, settings, made(Condition.PUBLISHED, Condition.DEFAULTS) + scaled, MADE).readText()
@@ -67,6 +72,13 @@ class ReportSpec : FunSpec({
         page shouldContain "width=device-width"
         page shouldContain "88.965"
         page shouldContain "a machine"
+        val files = directory.resolve("figures").listDirectoryEntries()
+        files.map { it.name } shouldContainExactlyInAnyOrder
+            listOf("distances", "times", "shares", "scaling").flatMap { listOf("$it.svg", "$it.png") }
+        files.filter { it.name.endsWith("png") }.forEach {
+            ImageIO.read(ByteArrayInputStream(it.readBytes())).width shouldBe if (it.name == "scaling.png") 2360 else 1920
+        }
+        files.filter { it.name.endsWith("svg") }.forEach { it.readText() shouldContain "</svg>" }
     }
 
     test("the report says by what and when it was made, and numbers its figures and tables") {
@@ -133,7 +145,7 @@ class ReportSpec : FunSpec({
         val runs = made(Condition.DEFAULTS, Condition.REFLEX)
         fun late(run: Finished, ms: Double) = if (run.trial.id == "d-none-40-20-1") run.copy(result = run.result.copy(lateMs = ms)) else run
         val directory = tempdir().toPath()
-        val page = writeReport(directory, settings, runs.map { late(it, 40.0) }, MADE).readText()
+        val page = writeReport(directory, settings, runs.map { late(it, 40.0) }, MADE, ::undrawn).readText()
         val top = page.substringBefore("<caption>")
         top shouldContain "The machine was busy."
         top shouldContain "In 1 of 162 runs"
@@ -141,19 +153,19 @@ class ReportSpec : FunSpec({
         top shouldNotContain "other lines" // there is no such table
         page shouldContain "<td class=\"n\">27 of 27, 1 late</td>"
         directory.resolve("figures/times.svg").readText() shouldContain "stopped, busy machine"
-        writeReport(directory, settings, runs.map { late(it, 4.0) }, MADE).readText() shouldNotContain "The machine was busy."
+        writeReport(directory, settings, runs.map { late(it, 4.0) }, MADE, ::undrawn).readText() shouldNotContain "The machine was busy."
         directory.resolve("figures/times.svg").readText() shouldNotContain "busy machine"
     }
 
     test("a table is in milliseconds if all its times are below a second, and its figure with it") {
         val runs = made(Condition.PUBLISHED, Condition.REFLEX)
-        val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
+        val page = pageOf(runs)
         page shouldContain "<th scope=\"col\" class=\"n\">median, s</th>"
         page shouldContain "Effects on the time from perceiving the wall, (a) as published: mean 8.2 s</summary>"
         page shouldContain "Effects on the time from perceiving the wall, (d) version 2, reflex on the board: mean 420.0 ms</summary>"
         Regex("effect, (m?s)<").findAll(page).map { it.groupValues[1] }.toList() shouldBe listOf("s", "ms")
         val directory = tempdir().toPath()
-        val own = writeReport(directory, settings, made(Condition.REFLEX), MADE).readText()
+        val own = writeReport(directory, settings, made(Condition.REFLEX), MADE, ::undrawn).readText()
         own shouldContain "<th scope=\"col\" class=\"n\">median, ms</th>"
         own shouldContain "<th scope=\"row\">variance, ms²</th>"
         directory.resolve("figures/times.svg").readText() shouldContain "time from crossing the limit in ms"
@@ -181,7 +193,7 @@ class ReportSpec : FunSpec({
         val directory = tempdir().toPath()
         val runs = made(Condition.DEFAULTS)
         val failed = runs.last().let { it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "port \"x\", gone")) }
-        writeReport(directory, settings, runs.dropLast(1) + failed, MADE, ::blank)
+        writeReport(directory, settings, runs.dropLast(1) + failed, MADE, ::undrawn)
         val lines = directory.resolve("runs.csv").readText().split("\r\n").dropLast(1)
         lines.size shouldBe 1 + runs.size
         lines.first() shouldStartWith "run,condition,filter,limit_cm,interval_ms,replication,"
@@ -196,15 +208,6 @@ class ReportSpec : FunSpec({
         page shouldContain "It leaves out the limit of 40 cm, the interval of 35 ms, 1 of 3 replications."
         page shouldContain "<span class=\"not-tested\">not tested</span>"
         report(Condition.PUBLISHED) shouldNotContain "It leaves out"
-    }
-
-    test("each figure is there as SVG and as PNG") {
-        val directory = tempdir().toPath()
-        writeReport(directory, settings, made(Condition.PUBLISHED), MADE)
-        val files = directory.resolve("figures").listDirectoryEntries()
-        files.map { it.name } shouldContainExactlyInAnyOrder listOf("distances", "times", "shares").flatMap { listOf("$it.svg", "$it.png") }
-        files.filter { it.name.endsWith("png") }.forEach { ImageIO.read(ByteArrayInputStream(it.readBytes())).width shouldBe 1920 }
-        files.filter { it.name.endsWith("svg") }.forEach { it.readText() shouldContain "</svg>" }
     }
 
     test("all conditions are in one report, each with its figures and its promise") {
@@ -279,7 +282,7 @@ class ReportSpec : FunSpec({
             val left = runs.map {
                 if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it
             }
-            val page = writeReport(tempdir().toPath(), settings, left, MADE).readText()
+            val page = writeReport(tempdir().toPath(), settings, left, MADE, if (lost == View.NONE) ::svg else ::undrawn).readText()
             page shouldContain "Failed and left out (54 in all)"
             page.replace(Regex("base64,[^\"]*"), "") shouldNotContain "NaN"
         }
