@@ -18,7 +18,7 @@ import kotlin.concurrent.withLock
  * Each [event][Snapshot.event] of a board is handed over in order, with the newest of all other percepts. If more than [MAX_EVENTS] wait,
  * the oldest are lost.
  *
- * @param tellLost called at each loss, with the number of events lost so far
+ * @param tellLost called without the lock at each loss, with the number of events lost so far
  * @param tellLate called without the lock if snapshots have waited longer than [LATE_MS]; `why` is the kind of awaited work
  */
 internal class FreshHandOver(
@@ -44,17 +44,21 @@ internal class FreshHandOver(
     private var isCatchingUp = false
 
     override fun put(snapshot: Snapshot) {
-        val waitedMs = lock.withLock {
-            keep(snapshot)
-            val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
-            TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
-        }
+        val (nowLost, waitedMs) = lock.withLock { keep(snapshot) to waitedMs(snapshot) }
+        nowLost?.let(tellLost)
         if (waitedMs > LATE_MS) work.kindLeft()?.let { tellLate(waitedMs, it) }
     }
 
-    private fun keep(snapshot: Snapshot) {
-        snapshot.event?.let(::add)
+    /** Returns the number of events lost so far if the event of [snapshot] has made one lost, else null. */
+    private fun keep(snapshot: Snapshot): Long? {
+        val nowLost = snapshot.event?.let(::add)
         keepNewest(snapshot.withoutEvent())
+        return nowLost
+    }
+
+    private fun waitedMs(snapshot: Snapshot): Long {
+        val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
+        return TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
     }
 
     private fun keepNewest(snapshot: Snapshot) {
@@ -69,11 +73,11 @@ internal class FreshHandOver(
         }
     }
 
-    private fun add(event: PerceptEvent) {
+    private fun add(event: PerceptEvent): Long? {
         events += event
-        if (events.size <= MAX_EVENTS) return
+        if (events.size <= MAX_EVENTS) return null
         events.poll()
-        tellLost(++lost)
+        return ++lost
     }
 
     private fun isWaiting() = newest != null || events.isNotEmpty()

@@ -14,6 +14,8 @@ import jason.asSemantics.Option
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Plan
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
 
 private object Robot
 
@@ -55,6 +57,13 @@ class HandOverSpec : FunSpec({
             for (n in 1L..FreshHandOver.MAX_EVENTS + 2) handOver.put(snapshot(n, "e($n)"))
             handOver.take()?.texts?.last() shouldBe "e(3)"
             told shouldBe listOf(1L, 2L)
+        }
+
+        test("tells of a loss without its lock, so that a log which stands holds up no other thread") {
+            lateinit var handOver: FreshHandOver
+            fun onAnotherThread(): Boolean = CompletableFuture.supplyAsync { handOver.isUrgent() }.get(20, TimeUnit.SECONDS)
+            handOver = FreshHandOver(UnfinishedWork(CommandLedger { Robot }), tellLost = { onAnotherThread() shouldBe false })
+            for (n in 1L..FreshHandOver.MAX_EVENTS + 1) handOver.put(snapshot(n, "e($n)"))
         }
 
         test("waits while percept events of the one before are in the queue") {
