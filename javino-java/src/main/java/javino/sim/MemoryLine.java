@@ -28,14 +28,16 @@ public final class MemoryLine {
     private final String name;
     private final LineSettings line;
     private final LineClock clock;
+    private final String doubt; // see Transport.doubt; null: the usual one
     private final End computer;
     private final End board;
     private volatile String end; // reason for the end of the line, or null
 
-    private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
+    private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock, String doubt) {
         this.name = name;
         this.line = line;
         this.clock = clock;
+        this.doubt = doubt;
         lock = clock.newLock(false);
         MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos, lock, clock.nanos());
         MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos, lock, clock.nanos());
@@ -50,7 +52,7 @@ public final class MemoryLine {
 
     /** Returns a line on which bytes arrive at once, and whose waits use {@code clock}. */
     public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
-        return new MemoryLine(name, line, 0, clock);
+        return new MemoryLine(name, line, 0, clock, null);
     }
 
     /** Returns a line on which every byte takes {@link LineSettings#byteNanos()}. */
@@ -58,9 +60,14 @@ public final class MemoryLine {
         return paced(name, line, LineClock.system());
     }
 
+    /** Returns a line to a board about whose silence {@code doubt} says more than {@link Transport#doubt} usually does. */
+    static MemoryLine paced(String name, LineSettings line, String doubt) {
+        return new MemoryLine(name, line, line.byteNanos(), LineClock.system(), doubt);
+    }
+
     /** Returns a line on which every byte takes {@link LineSettings#byteNanos()} of {@code clock}. */
     public static MemoryLine paced(String name, LineSettings line, LineClock clock) {
-        return new MemoryLine(name, line, line.byteNanos(), clock);
+        return new MemoryLine(name, line, line.byteNanos(), clock, null);
     }
 
     /** Returns the end that a program opens. */
@@ -140,6 +147,11 @@ public final class MemoryLine {
         @Override
         public LineSettings line() {
             return line;
+        }
+
+        @Override
+        public String doubt() {
+            return doubt != null ? doubt : Transport.super.doubt();
         }
 
         @Override

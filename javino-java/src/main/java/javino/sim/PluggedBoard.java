@@ -31,7 +31,7 @@ final class PluggedBoard {
             if (current != null) {
                 requireOver(current);
             }
-            MemoryLine line = MemoryLine.paced(port, settings);
+            MemoryLine line = MemoryLine.paced(port, settings, board.doubt().orElse(null));
             Run run = new Run(line, new Thread(() -> run(line), "board " + port));
             run.thread.setDaemon(true);
             current = run;

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.LineClock;
@@ -74,6 +75,15 @@ public final class ReplayBoard implements SimulatedBoard {
     /** Returns a copy of this board that passes each command to {@code listener}, on the board's thread. */
     public ReplayBoard tellingCommandsTo(Consumer<String> listener) {
         return new ReplayBoard(said, asked, inTurn, repeated, listener, clock);
+    }
+
+    @Override
+    public Optional<String> doubt() {
+        return asked
+                ? Optional.empty()
+                : Optional.of(
+                        "the recorded board sent its percepts unasked and answers no requests: listen to it, an agent "
+                                + "with mode(listen), monitor with --mode listen, describe with --listen");
     }
 
     @Override

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.Locale;
+import java.util.Optional;
 import javino.PortException;
 import javino.Transport;
 
@@ -26,5 +27,10 @@ public interface SimulatedBoard {
     /** Returns the name of a board that is found as a service, without {@code sim:}. By default the name of its class in lower case. */
     default String name() {
         return getClass().getSimpleName().toLowerCase(Locale.ROOT);
+    }
+
+    /** Returns a hint for a person if the board does not answer a request; empty: the usual {@link Transport#doubt}. */
+    default Optional<String> doubt() {
+        return Optional.empty();
     }
 }

@@ -10,6 +10,7 @@ import io.kotest.matchers.string.shouldStartWith
 import javino.LineClock
 import javino.NoSuchPortException
 import javino.PortFaultException
+import javino.PortTimeoutException
 import javino.Protocol
 import javino.link.Link
 import javino.link.LinkSettings
@@ -76,6 +77,13 @@ class ReplayBoardSpec : FunSpec({
     test("what a board said unasked it says unasked") {
         val spoken = LineRecording(listOf(entry(0, IN, "dist(9);"), entry(0, IN, "dist(8);")))
         plugged(ReplayBoard.of(spoken).repeated()) { link -> link.listen(LIMIT_MS).text() shouldStartWith "dist(" }
+    }
+
+    test("whoever asks a board that spoke unasked is told to listen") {
+        plugged(ReplayBoard.of(LineRecording(listOf(entry(0, IN, "dist(9);"))))) { link ->
+            shouldThrow<PortTimeoutException> { link.request("getPercepts", 300) }.message shouldContain
+                "the recorded board sent its percepts unasked and answers no requests: listen to it, an agent with mode(listen)"
+        }
     }
 
     test("it speaks version 2, takes commands in it, and sends more than one frame holds") {

@@ -57,7 +57,7 @@ internal class DescribeCommand : ToolCommand() {
         requireNew(file) // fails before the port is opened, since opening resets the board
         if (port.endsWith(RECORDING)) return describeRecorded(Path.of(port))
         return try {
-            Interruption().use { line.open(port, asks = !listens).use(::describe) }
+            Interruption().use { line.open(port).use(::describe) }
         } catch (_: PortInterruptedException) {
             err.println("interrupted before the board was observed; nothing was written to $file")
             ExitStatus.FAILED

@@ -2,7 +2,6 @@ package argo.tools.board
 
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
-import argo.tools.command.ToolException
 import argo.tools.command.refuse
 import argo.tools.command.requireWithin
 import javino.LineClock
@@ -11,11 +10,9 @@ import javino.Transport
 import javino.Transports
 import javino.link.Link
 import javino.link.LinkSettings
-import javino.sim.LineRecording
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
-import java.nio.file.Path
 
 /** The options for a board's serial line, like those of `argo.port`. Picocli mixes them into a command. */
 class LineOptions {
@@ -51,19 +48,11 @@ class LineOptions {
     fun openRaw(port: String): Transport = Transports.open(inJavino(port), settings().line())
 
     /**
-     * Checks all options and opens [port]. If the caller [asks] the board for percepts, refuses a recorded board that sent them unasked.
+     * Checks all options and opens [port].
      *
      * @throws javino.PortException if [port] cannot be opened
      */
-    fun open(port: String, asks: Boolean = false): Link {
-        val link = Link.open(inJavino(port), settings(), spec.qualifiedName())
-        if (!asks || !port.startsWith(RECORDED) || LineRecording.read(Path.of(port.removePrefix(RECORDED))).isOfRequests) return link
-        link.close()
-        throw ToolException(
-            "$port answers no request, since the recorded board sent its percepts unasked; " +
-                "\"monitor $port --mode listen\" shows them, and \"describe $port --listen\" describes them",
-        )
-    }
+    fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
     /**
      * Opens [port] if it is no serial line, such as `ros://robot:9090`. Returns null for a serial line. Checks all options first. Refuses
@@ -102,7 +91,6 @@ class LineOptions {
         private val OF_LINES = listOf("--baud", "--protocol", "--boot", "--mode")
         private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
         private const val MAX_MS = 600_000
-        private const val RECORDED = "replay:"
     }
 }
 

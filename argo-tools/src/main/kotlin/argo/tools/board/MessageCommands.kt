@@ -38,7 +38,7 @@ internal abstract class MessageCommand : DataCommand() {
 
 @Command(name = "request", description = ["Sends a request, as getPercepts, and prints the answer. Opening a port resets most boards."])
 internal class RequestCommand : MessageCommand() {
-    override fun exchange() = line.open(port, asks = true).use { link ->
+    override fun exchange() = line.open(port).use { link ->
         val answer = link.request(message, line.timeoutMs).text()
         val members = arrayOf("port" to link.port(), "request" to message, "answer" to answer, "protocol" to versionSpoken(link.protocol()))
         out.println(if (json) jsonOf(*members) else withControlsShown(answer))

@@ -81,7 +81,7 @@ internal class MonitorCommand : DataCommand() {
         return Interruption().use {
             val elsewhere = line.openElsewhere(port)
             if (elsewhere != null) elsewhere.use { monitorRecording(LinkedBoard(it, intervalMs, line.timeoutMs)) }
-            else line.open(port, asks).use { monitorRecording(JavinoBoard(it, asks, line.timeoutMs)) }
+            else line.open(port).use { monitorRecording(JavinoBoard(it, asks, line.timeoutMs)) }
         }
     }
 

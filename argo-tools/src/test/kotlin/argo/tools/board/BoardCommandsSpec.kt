@@ -139,11 +139,12 @@ class BoardCommandsSpec : FunSpec({
     test("a recorded board that sent its percepts unasked is asked for none, and the error says what shows them") {
         val file = tempfile(suffix = ".rec").apply { writeText("javino-recording 1\n0\tin\tdist(1);\n5\tin\tdist(2);\n") }
         val port = "replay:$file"
-        for (asking in listOf(arrayOf("monitor", port), arrayOf("describe", port, "$file.new"), arrayOf("request", port, "getPercepts"))) {
-            val said = argo(*asking)
+        val monitor = arrayOf("monitor", port, "--seconds", "1")
+        for (asking in listOf(monitor, arrayOf("describe", port, "$file.new"), arrayOf("request", port, "getPercepts"))) {
+            val said = argo(*asking, "--boot", "0", "--timeout", "100")
             said.status shouldBe 1
-            said.err shouldContain "$port answers no request, since the recorded board sent its percepts unasked; " +
-                "\"monitor $port --mode listen\" shows them"
+            said.out + said.err shouldContain "$port gave no answer to \"getPercepts\" within 100 ms; the recorded board sent its " +
+                "percepts unasked and answers no requests: listen to it, an agent with mode(listen), monitor with --mode listen"
         }
         argo("send", port, "stop", "--protocol", "2").status shouldBe 0
     }
