@@ -9,6 +9,9 @@ public record LineSettings(int baud) {
     /** The baud rate of a board whose settings give none. */
     public static final int DEFAULT_BAUD = 9600;
 
+    /** A line without a baud rate, as in a network. A byte takes 0.1 µs, so no frame waits for the line. */
+    public static final LineSettings NETWORK = new LineSettings(100_000_000);
+
     private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit
     private static final long NANOS_PER_SECOND = 1_000_000_000L;
 

@@ -83,7 +83,7 @@ public final class Transports {
         if (provider == null) {
             throw new NoSuchPortException(
                     port,
-                    "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
+                    "port " + port + " asks for the scheme \"" + name.scheme() + "\", but lines have only: "
                             + String.join(", ", providers.keySet()) + " (a serial device needs none)");
         }
         return provider;

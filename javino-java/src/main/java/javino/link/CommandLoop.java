@@ -220,7 +220,8 @@ final class CommandLoop {
                 ? new CommandWithdrawnException(
                         port,
                         subject + " had not begun to go out through port " + port
-                                + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
+                                + " when its time was over, so it was not sent; it waited for other commands, for an answer of "
+                                + "the board, or for its start")
                 : new ActionUnconfirmedException(
                         port,
                         subject + " was on its way through port " + port

@@ -1,6 +1,7 @@
 package javino.link;
 
 import java.nio.charset.StandardCharsets;
+import javino.LineSettings;
 
 /**
  * The bytes since the last message. Stray bytes form no message. They help a person to find out why a board seems silent.
@@ -34,7 +35,9 @@ public record StrayBytes(long count, String first, int baud) {
 
     private String cause() {
         if (!isText()) {
-            return "which is no text: does the board run at another rate than " + baud + " baud?";
+            return baud == LineSettings.NETWORK.baud()
+                    ? "which is no text: does a Javino board listen there, or another program?"
+                    : "which is no text: does the board run at another rate than " + baud + " baud?";
         }
         if (first.contains(HEADER) || first.matches("f+")) {
             return "a message that is not whole or came with a pause in it: are bytes lost, or is the time for an answer too short?";

@@ -11,9 +11,6 @@ import javino.TransportProvider;
 
 /** Opens {@code tcp://host:port}: a board on the network, or a serial server with a board behind it. */
 public class TcpTransportProvider implements TransportProvider {
-    /** A network has no baud rate. At this rate a byte takes 0.1 µs, so no frame waits for the line. */
-    private static final LineSettings NETWORK = new LineSettings(100_000_000);
-
     @Override
     public String scheme() {
         return "tcp";
@@ -41,6 +38,6 @@ public class TcpTransportProvider implements TransportProvider {
 
     @Override
     public LineSettings usualLine() {
-        return NETWORK;
+        return LineSettings.NETWORK;
     }
 }

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
+import javino.LineSettings
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.failure
@@ -31,6 +32,11 @@ class StrayBytesSpec : FunSpec({
     test("bytes that are no text are shown as numbers, with the rate as their likely cause") {
         failure("\u00f8\u0000\u00e6\u0080x") shouldContain
             "\"\\xF8\\x00\\xE6\\x80x\", which is no text: does the board run at another rate than 9600 baud?"
+    }
+
+    test("bytes of a network that are no text are no matter of a rate") {
+        StrayBytes(5, "\u00f8\u0000\u00e6\u0080x", LineSettings.NETWORK.baud()).inWords() shouldEndWith
+            "which is no text: does a Javino board listen there, or another program?"
     }
 
     test("a message that does not end is told from text, however much of it came") {
