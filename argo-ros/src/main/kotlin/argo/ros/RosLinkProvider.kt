@@ -22,6 +22,9 @@ import java.util.concurrent.ForkJoinPool
 open class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 
+    /** Takes the address that a bridge prints, `ws://…`, as well: [open] refuses it, and says how ARGO writes it. */
+    override fun opens(port: String): Boolean = super.opens(port) || port.startsWith("ws:")
+
     override fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink {
         val robot = RobotPort.of(port)
         val mapping = read(port) { findMapping(robot.mapping) }

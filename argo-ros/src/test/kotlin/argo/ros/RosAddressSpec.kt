@@ -1,8 +1,12 @@
 package argo.ros
 
+import argo.links.BoardLinkProvider
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import javino.LineClock
 import javino.NoSuchPortException
 
 class RosAddressSpec : FunSpec({
@@ -17,5 +21,11 @@ class RosAddressSpec : FunSpec({
         listOf("ros:", "ros://", "ros://a:0", "ros://a:99999", "ros://a b:1", "ros://a:1/x y", "ws://a:1").forEach {
             shouldThrow<NoSuchPortException> { RosAddress.of(it) }
         }
+    }
+
+    test("whoever takes the address of a WebSocket for a port is told how it is written") {
+        val provider = BoardLinkProvider.of("ws://robot:9090").shouldNotBeNull()
+        shouldThrow<NoSuchPortException> { provider.open("ws://robot:9090", true, LineClock.system()) }.message shouldContain
+            "\"ws://robot:9090\" names no robot: that is ros://HOST:PORT"
     }
 })

@@ -21,6 +21,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.maps.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -196,9 +197,9 @@ class RosLinkSpec : FunSpec({
         test("to a service end with its response") {
             bridge.serve("/reset") { true to JsonObject(mapOf("success" to JsonPrimitive(true))) }
             open().use { outcomeOf(it, "reset") shouldBe "done" }
-            bridge.serve("/reset") { true to JsonObject(mapOf("success" to JsonPrimitive(false), "message" to JsonPrimitive("jammed"))) }
+            bridge.serve("/reset") { true to Json.parseToJsonElement("""{"success": false, "message": "jam\u001b[m"}""") }
             open().use { link ->
-                shouldThrow<ActionFailedException> { link.sendAndAwait("reset", SendOptions.defaults()) }.message shouldContain "jammed"
+                shouldThrow<ActionFailedException> { link.sendAndAwait("reset", SendOptions.defaults()) }.message shouldContain "jam\\x1B[m"
             }
         }
         test("that no rule has, or that a service does not exist for, fail") {
@@ -320,6 +321,20 @@ class RosLinkSpec : FunSpec({
                 Thread { other.accept().use { it.getOutputStream().write("HTTP/1.1 404 Not Found\r\n\r\n".toByteArray()) } }.start()
                 val port = "ros://127.0.0.1:${other.localPort}"
                 shouldThrow<PortFaultException> { RosLink.open(port, URI("ws://127.0.0.1:${other.localPort}/"), mapping, true, clock) }
+            }
+            ServerSocket(0).use { other ->
+                Thread {
+                    other.accept().use {
+                        it.getInputStream().read(ByteArray(4096)) // else its close is a reset, which may overtake the answer
+                        it.getOutputStream().write("\u001b[31m${"x".repeat(500)}\r\n\r\n".toByteArray())
+                    }
+                }.start()
+                val port = "ros://127.0.0.1:${other.localPort}"
+                val refusal = shouldThrow<PortFaultException> {
+                    RosLink.open(port, URI("ws://127.0.0.1:${other.localPort}/"), mapping, true, clock)
+                }.message.orEmpty()
+                refusal shouldContain "does not answer as a bridge: Invalid status line: \"\\x1B[31mxxx"
+                refusal.length shouldBeLessThan 400
             }
         }
         test("a field that the bridge does not know of its type is refused with line and column") {

@@ -1,5 +1,6 @@
 package argo.ros.bridge
 
+import argo.filters.withControlsShown
 import argo.ros.mapping.Credentials
 import javino.NoSuchPortException
 import javino.PortException
@@ -143,12 +144,13 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
 
         override fun onClose(socket: WebSocket, statusCode: Int, reason: String): CompletionStage<*>? {
             val hint = if (hasLoggedIn && isSilent) "; does it know another secret, or differ its clock by 5 s?" else ""
-            listener.gone("the bridge has closed the connection" + reason.takeIf { it.isNotBlank() }?.let { ": $it" }.orEmpty() + hint)
+            val why = reason.takeIf { it.isNotBlank() }?.let { ": ${withControlsShown(it)}" }.orEmpty()
+            listener.gone("the bridge has closed the connection$why$hint")
             return null
         }
 
         override fun onError(socket: WebSocket, error: Throwable) =
-            listener.gone("the connection to the bridge is broken: ${error.message ?: error.javaClass.simpleName}")
+            listener.gone("the connection to the bridge is broken: ${reasonIn(error)}")
     }
 
     companion object {
@@ -158,6 +160,9 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /** The length limit of a message, in characters. Longer messages are dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
+
+        /** The greatest length of a reason; it may quote what a program that is no bridge has sent. */
+        private const val REASON_LENGTH = 200
 
         /** The number of characters of a dropped message in the log. The topic's name is among them. */
         private const val SHOWN_LENGTH = 60
@@ -203,6 +208,12 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
             }
         }
 
+        /** Returns the first message in [error] and its causes: that of a broken rule of WebSocket is in a cause. */
+        private fun reasonIn(error: Throwable): String {
+            val message = generateSequence(error) { it.cause }.firstNotNullOfOrNull { it.message }
+            return withControlsShown((message ?: error.javaClass.simpleName).take(REASON_LENGTH))
+        }
+
         private fun refusal(port: String, address: URI, cause: Throwable): PortException {
             val start = "port $port cannot be opened: "
             val place = address.authority
@@ -221,7 +232,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
                         "of others to be trusted", cause,
                 )
                 cause is IOException ->
-                    PortFaultException(port, "${start}the program at $place does not answer as a bridge: ${cause.message}", cause)
+                    PortFaultException(port, "${start}the program at $place does not answer as a bridge: ${reasonIn(cause)}", cause)
                 else -> PortFaultException(port, "$start$cause", cause)
             }
         }

@@ -2,6 +2,7 @@ package argo.ros.bridge
 
 import argo.filters.GroundTerm
 import argo.filters.Predicate
+import argo.filters.withControlsShown
 import argo.links.Answer
 import argo.links.SentCommand
 import argo.ros.mapping.CommandRule
@@ -252,12 +253,15 @@ internal class Commands(
         val reason = "its goal was ${STATES_1[state] ?: "left in state $state"}" +
             status?.text("text").orEmpty().let { if (it.isEmpty()) "" else ": $it" }
         if (state != REJECTED_1) fail(entry, reason)
-        else entry.outcome.completeExceptionally(ActionRefusedException(port, "the robot refuses \"${entry.text}\": $reason"))
+        else entry.outcome.completeExceptionally(ActionRefusedException(port, "the robot refuses \"${entry.text}\": ${shown(reason)}"))
     }
 
     private fun fail(entry: Pending, reason: String) {
-        entry.outcome.completeExceptionally(ActionFailedException(port, "the robot could not do \"${entry.text}\": $reason (port $port)"))
+        val why = "the robot could not do \"${entry.text}\": ${shown(reason)} (port $port)"
+        entry.outcome.completeExceptionally(ActionFailedException(port, why))
     }
+
+    private fun shown(reason: String) = withControlsShown(reason.take(MAX_REASON))
 
     /** @throws Unfit if a field cannot have its value */
     private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject {
@@ -295,6 +299,7 @@ internal class Commands(
 
     private companion object {
         val UNANSWERED = Answer.none("nobody answers a message of a topic")
+        const val MAX_REASON = 1000 // characters
         const val CANCEL_TYPE = "actionlib_msgs/GoalID"
 
         // actionlib_msgs/GoalStatus
