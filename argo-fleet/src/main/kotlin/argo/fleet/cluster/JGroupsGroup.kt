@@ -98,7 +98,10 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     private companion object {
         const val NAME = "n"
         val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
-        val JGROUPS: Logger = Logger.getLogger("org.jgroups")
+
+        /** The loggers of JGroups, and of its protocols that have a class in this package. Kept, since else their levels are lost. */
+        val JGROUPS: List<Logger> = listOf(Connections::class, Reunion::class, SignsOfLife::class, Verification::class)
+            .map { it.java.name }.plus("org.jgroups").map(Logger::getLogger)
 
         /**
          * Turns off JGroups' log. JGroups warns of each ended connection with class names, and this package logs everything that users
@@ -106,7 +109,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
          */
         fun quieten() {
             LogFactory.useJdkLogger(true)
-            if (JGROUPS.level == null) JGROUPS.level = Level.OFF
+            JGROUPS.filter { it.level == null }.forEach { it.level = Level.OFF }
             System.setProperty(Global.DESERIALIZATION_FILTER, System.getProperty(Global.DESERIALIZATION_FILTER) ?: "!*")
         }
     }

@@ -2,21 +2,23 @@ package argo.fleet.cluster
 
 import java.time.Duration
 
-/** Logs refused connections. Logs each reason only once in a while, since refused computers try repeatedly. */
+/**
+ * Logs refused connections. Logs each reason only once in a while, since refused computers try repeatedly, and [MAX_TOLD] reasons at most in
+ * that time, since a stranger can make up any number of them. The text in quotes that a stranger has sent makes no other reason.
+ */
 internal class Refusals(
     private val now: () -> Long = System::nanoTime, private val log: (String) -> Unit = { LOG.log(System.Logger.Level.WARNING, it) },
 ) {
-    private val told = object : LinkedHashMap<String, Long>() {
-        override fun removeEldestEntry(eldest: Map.Entry<String, Long>) = size > MAX_TOLD
-    }
+    private val told = HashMap<String, Long>()
 
     @Synchronized
     fun tell(reason: String) {
-        val last = told[reason]
-        if (last != null && now() - last < AGAIN_NANOS) return
-        told.remove(reason)
-        told[reason] = now()
-        log("$reason (told once in ${Duration.ofNanos(AGAIN_NANOS).toMinutes()} minutes)")
+        val kind = reason.substringBefore('"')
+        told.values.removeIf { now() - it >= AGAIN_NANOS }
+        if (kind in told || told.size > MAX_TOLD) return
+        told[kind] = now()
+        val minutes = Duration.ofNanos(AGAIN_NANOS).toMinutes()
+        log(if (told.size <= MAX_TOLD) "$reason (told once in $minutes minutes)" else "for $minutes minutes no further reason is told")
     }
 
     private companion object {

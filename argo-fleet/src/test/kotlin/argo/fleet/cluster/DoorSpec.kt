@@ -104,8 +104,7 @@ class DoorSpec : FunSpec({
                 "a stranger at 127.0.0.1 speaks no language of a fleet: it sent \"GET / HTTP/1.1?\" (told once in 10 minutes)"
             door.stranger(*"argo-fleet 3 garden scout 0 and more\n".toByteArray())
             door.toldNext() shouldContain "speaks version 3 of the fleet's language, and this computer 2: use one argo-fleet.jar"
-            door.stranger(*ByteArray(1000) { it.toByte() })
-            door.toldNext() shouldContain "it sent \"??????????\""
+            String(door.stranger(*ByteArray(1000) { it.toByte() })) shouldContain "it sent \"??????????\"" // and the log has such a line
             door.told shouldHaveSize 0
         }
     }
