@@ -1,6 +1,6 @@
 package argo.ros.bridge
 
-import argo.filters.withControlsShown
+import argo.platform.foreignText
 import argo.ros.mapping.Credentials
 import javino.NoSuchPortException
 import javino.PortException
@@ -144,7 +144,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
 
         override fun onClose(socket: WebSocket, statusCode: Int, reason: String): CompletionStage<*>? {
             val hint = if (hasLoggedIn && isSilent) "; does it know another secret, or differ its clock by 5 s?" else ""
-            val why = reason.takeIf { it.isNotBlank() }?.let { ": ${withControlsShown(it)}" }.orEmpty()
+            val why = reason.takeIf { it.isNotBlank() }?.let { ": ${foreignText(it)}" }.orEmpty()
             listener.gone("the bridge has closed the connection$why$hint")
             return null
         }
@@ -160,9 +160,6 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /** The length limit of a message, in characters. Longer messages are dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
-
-        /** The greatest length of a reason; it may quote what a program that is no bridge has sent. */
-        private const val REASON_LENGTH = 200
 
         /** The number of characters of a dropped message in the log. The topic's name is among them. */
         private const val SHOWN_LENGTH = 60
@@ -208,11 +205,12 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
             }
         }
 
-        /** Returns the first message in [error] and its causes: that of a broken rule of WebSocket is in a cause. */
-        private fun reasonIn(error: Throwable): String {
-            val message = generateSequence(error) { it.cause }.firstNotNullOfOrNull { it.message }
-            return withControlsShown((message ?: error.javaClass.simpleName).take(REASON_LENGTH))
-        }
+        /**
+         * Returns the first message in [error] and its causes: that of a broken rule of WebSocket is in a cause. It may quote what a program
+         * that is no bridge has sent.
+         */
+        private fun reasonIn(error: Throwable): String =
+            foreignText(generateSequence(error) { it.cause }.firstNotNullOfOrNull { it.message } ?: error.javaClass.simpleName)
 
         private fun refusal(port: String, address: URI, cause: Throwable): PortException {
             val start = "port $port cannot be opened: "
