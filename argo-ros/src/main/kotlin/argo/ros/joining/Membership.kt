@@ -126,6 +126,7 @@ internal class Membership(
 
         fun begin() {
             topics.renew()
+            advertised.renew() // before the action is announced, since a goal may come at once
             api.ask("/rosapi/get_ros_version").whenComplete { answer, _ -> advertised.announceAction(answer?.text("version") == "2") }
         }
 
