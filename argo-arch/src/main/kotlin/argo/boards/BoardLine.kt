@@ -5,9 +5,9 @@ import argo.acting.CommandSender
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
 import argo.filters.CriticalRule
+import argo.filters.foreignText
 import argo.links.BoardMessage
 import argo.links.Wish
-import argo.platform.foreignText
 import argo.sensing.Sensing
 import argo.sensing.SensingInstants
 import argo.sensing.SensingListener

@@ -1,5 +1,6 @@
 package argo.perception
 
+import argo.filters.foreignText
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.INFINITE
@@ -7,7 +8,6 @@ import argo.filters.matching.hasComment
 import argo.filters.matching.piecesOf
 import argo.filters.matching.whyClaimed
 import argo.filters.matching.whyUnreadable
-import argo.platform.foreignText
 import jason.asSemantics.Unifier
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm

@@ -1,6 +1,5 @@
 package argo.platform
 
-import argo.filters.withControlsShown
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -66,9 +65,3 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         private const val QUIET_MS = 60_000L
     }
 }
-
-/** Makes a foreign text fit for a log line. Control characters become `\xHH`, and at most 200 characters stay. */
-fun foreignText(text: String): String =
-    withControlsShown(text.take(MAX_FOREIGN)) + if (text.length > MAX_FOREIGN) "… (${text.length} characters)" else ""
-
-private const val MAX_FOREIGN = 200

@@ -2,8 +2,8 @@ package argo.perception
 
 import argo.acting.Reflexes
 import argo.connecting.PortStatus
+import argo.filters.foreignText
 import argo.filters.matching.OWN_BELIEFS
-import argo.platform.foreignText
 import argo.sensing.StaleBeliefs
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,6 +1,6 @@
 package argo.ros.bridge
 
-import argo.platform.foreignText
+import argo.filters.foreignText
 import argo.ros.mapping.Credentials
 import javino.NoSuchPortException
 import javino.PortException

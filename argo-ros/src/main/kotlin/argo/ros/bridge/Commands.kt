@@ -2,7 +2,7 @@ package argo.ros.bridge
 
 import argo.filters.GroundTerm
 import argo.filters.Predicate
-import argo.filters.withControlsShown
+import argo.filters.foreignText
 import argo.links.Answer
 import argo.links.SentCommand
 import argo.ros.mapping.CommandRule
@@ -261,7 +261,7 @@ internal class Commands(
         entry.outcome.completeExceptionally(ActionFailedException(port, why))
     }
 
-    private fun shown(reason: String) = withControlsShown(reason.take(MAX_REASON))
+    private fun shown(reason: String) = foreignText(reason, first = MAX_REASON)
 
     /** @throws Unfit if a field cannot have its value */
     private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject {

@@ -1,6 +1,6 @@
 package argo.ros.joining
 
-import argo.platform.foreignText
+import argo.filters.foreignText
 import argo.ros.bridge.operation
 import argo.ros.bridge.part
 import argo.ros.bridge.text

@@ -1,8 +1,8 @@
 package argo.ros.joining
 
+import argo.filters.foreignText
 import argo.observing.Farewell
 import argo.platform.ThinnedLog
-import argo.platform.foreignText
 import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket

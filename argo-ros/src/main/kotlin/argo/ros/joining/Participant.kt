@@ -1,7 +1,7 @@
 package argo.ros.joining
 
+import argo.filters.foreignText
 import argo.filters.matching.perceptsOf
-import argo.platform.foreignText
 import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
