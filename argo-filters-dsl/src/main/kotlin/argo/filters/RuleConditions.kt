@@ -240,7 +240,7 @@ class AnnotationTests internal constructor() : AnyTerm<Unit>() {
 }
 
 /** A limit of a condition on an argument. It can get a second limit. */
-class Limit internal constructor(private val rule: RuleConditions, private val condition: Condition.Argument) {
+class Limit internal constructor(private val rule: RuleConditions, private var condition: Condition.Argument) {
     init {
         rule.add(condition)
     }
@@ -249,9 +249,14 @@ class Limit internal constructor(private val rule: RuleConditions, private val c
      * Once a sensor's number has met the condition, the condition holds until the number reaches [limit]: `argument(1) lt 40 until 45`.
      * See [Condition.Argument.until].
      *
-     * @throws IllegalArgumentException if [limit] is not beyond the first limit
+     * @throws IllegalArgumentException if [limit] is not beyond the first limit, or the condition has a second limit already
      */
-    infix fun until(limit: Number): Unit = rule.replace(condition, condition.copy(until = limit.toDouble()))
+    infix fun until(limit: Number) {
+        val last = condition
+        require(last.until == null) { "the condition '$last' has a second limit already; expected no other one, and not ${limit.asTerm()}" }
+        condition = last.copy(until = limit.toDouble())
+        rule.replace(last, condition)
+    }
 }
 
 private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds.also {

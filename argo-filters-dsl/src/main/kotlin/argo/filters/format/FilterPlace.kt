@@ -30,9 +30,9 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
     override fun find(name: String): PerceptionFilter? {
         val found = providers().flatMap { provider -> filtersOf(provider).filter { it.name == name }.map { provider to it } }
         if (found.map { it.second }.distinct().size > 1) {
-            val owners = found.joinToString(" and ") { it.first.javaClass.name }
+            val owners = found.map { it.first.javaClass.name }.distinct()
             throw FilterNotFoundException(
-                "$owners offer different filters of the name '$name'; give one of them another name.",
+                "${owners.joinToString(" and ")} ${if (owners.size > 1) "offer" else "offers"} different filters of the name '$name'; give one of them another name.",
             )
         }
         return found.firstOrNull()?.second

@@ -28,6 +28,10 @@ private object TopLevel {
     val filter = dropFilter("lazy") { drop("Dist") }
 }
 
+class TwiceFilters : FilterProvider {
+    override val filters = listOf(PerceptionFilter("twice", Rule("a")), PerceptionFilter("twice", Rule("b")))
+}
+
 class EarlyMistake : FilterProvider {
     override val filters = listOf(dropFilter("early") { drop("Dist") })
 }
@@ -73,6 +77,8 @@ class FilterProviderSpec : StringSpec({
         val finder = finder(NightFilters::class.java, DayFilters::class.java)
         shouldThrow<FilterNotFoundException> { finder.find("shared") }.message shouldContain
             "argo.filters.format.NightFilters and argo.filters.format.DayFilters offer different filters"
+        shouldThrow<FilterNotFoundException> { finder(TwiceFilters::class.java).find("twice") }.message shouldBe
+            "argo.filters.format.TwiceFilters offers different filters of the name 'twice'; give one of them another name."
     }
 
     "a filter that is refused in Kotlin is told with its provider and the reason, also the second time" {

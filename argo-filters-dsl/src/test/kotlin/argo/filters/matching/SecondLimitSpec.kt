@@ -206,6 +206,8 @@ class SecondLimitSpec : FreeSpec({
         refusal { drop("d") { argument(1) lt 40 until 40 } } shouldContain
             "the condition holds until 40 though it is less than 40; expected a number above that"
         refusal { drop("d") { argument(1) gt 40 until 41 } } shouldContain "expected a number below that"
+        refusal { drop("d") { (argument(1) lt 40).let { it until 45; it until 50 } } } shouldContain
+            "the condition 'argument 1 is less than 40 until 45' has a second limit already; expected no other one, and not 50"
         refusal { drop("d") { argument(1) gt 40 until Double.NEGATIVE_INFINITY } } shouldContain "no finite number"
     }
 })
