@@ -16,6 +16,7 @@ import java.io.File
 import java.io.IOException
 import java.nio.file.Path
 import java.util.ServiceConfigurationError
+import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Reads the program and the filters of the agent of [ts] again while the agent runs. Construct this object after Jason has read the
@@ -45,6 +46,9 @@ internal class Reloading(
     @Volatile
     private var looked: List<Path> = emptyList()
 
+    /** The files in which each filter was found, by its name. A file that is gone stays watched, so its return is noticed. */
+    private val filterFiles = ConcurrentHashMap<String, Set<Path>>()
+
     private fun atBeginning(): Known {
         agent.aslSrc?.let { Plans.of(agent).all.fileless(ProgramSource.nameOf(it), it) }
         val (rules, beliefs) = agent.bb.inMemory.partition { it.isRule }
@@ -60,6 +64,7 @@ internal class Reloading(
 
     /**
      * Returns the files on disk that [reload] reads. After a refusal, also returns the files that the refused reading has read or missed.
+     * Also returns the files in which an active filter was found earlier.
      */
     fun sources(): List<Path> {
         val program = paths ?: try {
@@ -67,8 +72,11 @@ internal class Reloading(
         } catch (_: OrderRefusedException) {
             emptyList()
         }
-        return (program + looked + filters().mapNotNull { filterPath(agent, it.name) }).distinct()
+        return (program + looked + filters().flatMap { filesOf(it.name) }).distinct()
     }
+
+    private fun filesOf(filter: String): Set<Path> =
+        filterFiles.merge(filter, setOfNotNull(filterPath(agent, filter)), Set<Path>::plus).orEmpty()
 
     /**
      * Reads the program and the active filters. The agent then exchanges the changed parts. [done] is called once at the end. If anything

@@ -2,13 +2,15 @@ package argo.watching
 
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
+import java.nio.file.Files
+import java.nio.file.Path
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Reloads [agent] whenever a file of its program, or of an active filter, is saved. [log] gets the result. If a file has a mistake, [log]
- * gets the mistake, and the agent continues unchanged.
+ * Reloads [agent] whenever a file of its program, or of an active filter, is saved or gone. [log] gets the result. If a file has a mistake,
+ * [log] gets the mistake, and the agent continues unchanged.
  */
 internal class ProgramWatch(private val agent: ObservedAgent, private val log: Logger) : AgentObserver {
     private val closing = CountDownLatch(1)
@@ -24,9 +26,14 @@ internal class ProgramWatch(private val agent: ObservedAgent, private val log: L
     private fun watch() {
         while (!closing.await(SavedFiles.LOOK_EACH_MS, TimeUnit.MILLISECONDS)) {
             val files = saved.look(agent.sources())
-            if (files.isNotEmpty()) reload("${files.joinToString { "${it.fileName}" }} saved")
+            if (files.isNotEmpty()) reload(causeOf(files))
         }
     }
+
+    private fun causeOf(files: List<Path>) =
+        files.groupBy(::change).map { (change, its) -> its.joinToString { "${it.fileName}" } + change }.joinToString()
+
+    private fun change(file: Path) = if (Files.isRegularFile(file)) " saved" else " gone"
 
     private fun reload(cause: String) = agent.reload { outcome ->
         val refusal = outcome.refusal

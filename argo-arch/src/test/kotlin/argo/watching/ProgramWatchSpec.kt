@@ -5,10 +5,13 @@ import argo.jason.LocalMas
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Path
 import java.util.jar.JarEntry
 import java.util.jar.JarOutputStream
+import kotlin.io.path.deleteExisting
 
 private fun watched(included: Path) = """
     { include("$included") }
@@ -41,6 +44,20 @@ class ProgramWatchSpec : FunSpec({
             mas.log shouldContain Regex("line 3")
             mas.achieve("bob", "greet")
             mas.awaitBelief("bob", "greeted(old)")
+        }
+    }
+
+    test("a file that is gone is told, and the file of a filter stays watched, so that its return is noticed") {
+        LocalMas().use { mas ->
+            val filter = mas.file("near.xml", "<PerceptionFilter/>")
+            mas.agent("bob", "!start. +!start <- argo.change_filter(near); +ready.", watch)
+            mas.awaitBelief("bob", "ready")
+            val sources = mas.observed("bob").sources()
+            sources.map { it.fileName } shouldContain filter.fileName
+            filter.deleteExisting()
+            mas.observed("bob").sources() shouldBe sources
+            sources.first().deleteExisting()
+            eventually(LIMIT) { mas.log shouldContain "bob.asl gone, but the agent goes on as it is:" }
         }
     }
 
