@@ -43,8 +43,9 @@ internal fun HttpExchange.refusal(path: String): String? {
 internal fun HttpExchange.send(response: HttpResponse) {
     response.location?.let { responseHeaders.add("Location", it) }
     response.allow?.let { responseHeaders.add("Allow", it) }
-    begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-    responseBody.use { it.write(response.body) } // sent before the server reads the rest of a long request
+    val body = if (requestMethod == "HEAD") ByteArray(0) else response.body // for HEAD, the server's library would log a warning
+    begin(response.status, response.type, if (body.isEmpty()) -1 else body.size.toLong())
+    responseBody.use { it.write(body) } // sent before the server reads the rest of a long request
 }
 
 /** Begins a response with [status], content of [type] and [length] bytes, see [HttpExchange.sendResponseHeaders]. */
