@@ -49,11 +49,17 @@ internal class Diagnostics(
         changed()
     }
 
-    private fun run() = try {
-        texts.all().forEach(::diagnose)
-        worker.execute(::warmUp)
-    } catch (failure: Throwable) { // an executor would hide the failure
-        fail(failure)
+    private fun run() {
+        texts.all().forEach { reporting { diagnose(it) } } // a text that cannot be checked costs the others nothing
+        reporting { worker.execute(::warmUp) }
+    }
+
+    private fun reporting(work: () -> Unit) {
+        try {
+            work()
+        } catch (failure: Throwable) { // an executor would hide the failure
+            if (!worker.isShutdown) fail(failure)
+        }
     }
 
     /** Calls [rehearse] once and queues the next call. So a key or a request waits for at most one call. */

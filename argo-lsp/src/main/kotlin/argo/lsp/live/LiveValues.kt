@@ -1,6 +1,7 @@
 package argo.lsp.live
 
 import com.google.gson.JsonObject
+import com.google.gson.JsonParseException
 import com.google.gson.JsonParser
 import java.io.IOException
 import java.io.UncheckedIOException
@@ -41,21 +42,33 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
     private fun state(port: Int, agent: String): JsonObject? {
         val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20")
         val request = HttpRequest.newBuilder(URI("http://127.0.0.1:$port/$path/events")).timeout(limit).build()
-        val answer = client.sendAsync(request, HttpResponse.BodyHandlers.ofInputStream()).thenApplyAsync { response ->
+        val sent = client.sendAsync(request, HttpResponse.BodyHandlers.ofInputStream())
+        val answer = sent.thenApplyAsync { response ->
             response.body().use { body ->
                 body.bufferedReader().lineSequence().find { it.startsWith(DATA) }?.takeIf { response.statusCode() == OK }
             }
         }
-        return get(answer)?.let { JsonParser.parseString(it.removePrefix(DATA)).asJsonObject }
+        return get(answer) { sent.thenAccept { it.body().close() } }?.let(::objectOf)
     }
 
-    /** Returns the answer; null if no agent runs, or if another program uses its port. */
-    private fun get(answer: CompletableFuture<String?>): String? = try {
+    /** Returns the object in [line]; null if another program has sent something else. */
+    private fun objectOf(line: String): JsonObject? = try {
+        JsonParser.parseString(line.removePrefix(DATA)).takeIf { it.isJsonObject }?.asJsonObject
+    } catch (_: JsonParseException) {
+        null
+    }
+
+    /**
+     * Returns the answer; null if no agent runs, or if another program uses its port. If the answer does not come in time, calls [giveUp]:
+     * a program that sends without end, such as a camera, would keep a thread.
+     */
+    private fun get(answer: CompletableFuture<String?>, giveUp: () -> Unit): String? = try {
         answer.get(limit.toMillis(), TimeUnit.MILLISECONDS)
     } catch (refused: ExecutionException) {
         if (refused.cause !is IOException && refused.cause !is UncheckedIOException) throw refused
         null
     } catch (_: TimeoutException) {
+        giveUp()
         null
     }
 

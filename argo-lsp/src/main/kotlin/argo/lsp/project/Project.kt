@@ -23,7 +23,7 @@ internal class Project(
     val filterNames: List<String> get() = filters.map { it.nameWithoutExtension }.distinct().sorted()
 
     fun sourceOf(text: Text): Source = fileOf(text.uri)?.let(checked.programs::get)?.let { Source(it, text) }
-        ?: Source(AgentProgram(Path.of(text.uri.substringAfterLast('/')), text.content), text)
+        ?: Source(AgentProgram(Path.of(nameOf(text.uri)), text.content), text)
 
     /** Returns [source], followed by the other programs of the agents that use [source]. */
     fun family(source: Source): List<Source> =

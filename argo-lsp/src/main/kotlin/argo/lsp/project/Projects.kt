@@ -28,7 +28,7 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
     }
 
     fun of(text: Text): Project {
-        val file = fileOf(text.uri) ?: Path.of("nowhere", text.uri.substringAfterLast('/')).toAbsolutePath()
+        val file = fileOf(text.uri) ?: Path.of("nowhere", nameOf(text.uri)).toAbsolutePath()
         val folder = rootOf(file) ?: file.parent
         val last = read[folder] ?: Project(read(file), emptyMap())
         val known = last.checked
@@ -47,6 +47,9 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
     private fun rootOf(file: Path): Path? =
         roots.getOrPut(file.parent) { Optional.ofNullable(ProjectReader.rootOf(file)) }.orElse(null)
 }
+
+/** Returns a name for the text of [uri] that every system accepts as a file's name, unlike `untitled:robot.asl`. */
+internal fun nameOf(uri: String): String = uri.substringAfterLast('/').replace(Regex("""[^\p{L}\p{N}._-]"""), "_")
 
 /** Returns the absolute path of the file of [uri]; null if [uri] names no file on this computer. */
 internal fun fileOf(uri: String): Path? = try {

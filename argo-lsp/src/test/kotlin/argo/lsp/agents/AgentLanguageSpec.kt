@@ -154,4 +154,13 @@ class AgentLanguageSpec : FunSpec({
     test("the layout is made of edits of blanks") {
         at("+!a<-b( 1 ).§") { layout(uri) }.map { it.newText } shouldContainExactly listOf(" ", " ", "", "", "\n")
     }
+
+    test("a text that is no file, whatever its name, is checked, and the texts behind it are") {
+        Editor().use { editor ->
+            listOf("untitled:robot:1.asl", "untitled:\u0000.asl", uri).forEach { each ->
+                editor.open(each, "!drive")
+                editor.diagnostics(each).map { it.code.left } shouldContain "syntax"
+            }
+        }
+    }
 })
