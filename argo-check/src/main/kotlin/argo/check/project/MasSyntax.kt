@@ -49,7 +49,7 @@ internal class MasSyntax(private val tokens: List<Token>, private val end: Token
     private fun isBehindSource(token: Token) = token.text in BEHIND_SOURCE || token.text in WORDS
 
     private fun part() = when (current.text) {
-        "[" -> skipBracket()
+        "[" -> options()
         "#" -> {
             at++
             take("a number") { it.kind == TokenKind.NUMBER }
@@ -61,6 +61,19 @@ internal class MasSyntax(private val tokens: List<Token>, private val end: Token
             if (current.isSymbol("(")) skipBracket() else Unit
         }
         else -> take(";")
+    }
+
+    /** Reads an agent's options. Jason takes no number with a sign, and a file's name only in quotes. */
+    private fun options() {
+        do {
+            at++ // behind the bracket or the comma
+            take("the name of an option") { it.kind == TokenKind.ATOM || it.kind == TokenKind.KEYWORD }
+            take("=")
+            take("a name, a number without a sign, or a text in quotes") {
+                it.kind == TokenKind.STRING || it.kind == TokenKind.NUMBER || WORD.matches(it.text)
+            }
+        } while (error == null && current.isSymbol(","))
+        take("] or ,") { it.isSymbol("]") }
     }
 
     private fun isAtSection() = current.isSymbol("}") ||
@@ -95,6 +108,7 @@ internal class MasSyntax(private val tokens: List<Token>, private val end: Token
         /** The words that can follow an agent's source and introduce a class or a host. */
         val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
         private val SOURCE = Regex("(?:(?:[A-Za-z]:|\\.)?[/\\\\](?:\\S*[/\\\\])?)?[a-z]\\w*(?:\\.[a-z]\\w*)?")
+        private val WORD = Regex("\\w+")
         private val BEHIND_SOURCE = setOf("[", "#", ";")
         private val BEHIND_NAME = BEHIND_SOURCE + "("
     }

@@ -1,11 +1,13 @@
 package argo.check.rules
 
+import argo.check.syntax.Lexer
 import argo.check.syntax.ListTerm
 import argo.check.syntax.Literal
 import argo.check.syntax.NumberTerm
 import argo.check.syntax.Prefixed
 import argo.check.syntax.StringTerm
 import argo.check.syntax.Term
+import argo.check.syntax.TokenKind
 import argo.check.syntax.Variable
 
 /**
@@ -41,7 +43,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             "argo_view" to whole(0..65_535),
             "argo_watch" to oneOf("true", "false"),
             "argo_debug" to whole(0..65_535),
-            "argo_safe" to KnownOption("a command, as stop or \"speed(0)\"", ::isLiteral),
+            "argo_safe" to KnownOption("a command without variables, as stop or \"speed(0)\"", ::isCommand),
             "argo_record" to KnownOption("a file such as \"drive.mcap\", or \"last(5)\" for the last five minutes", ::isRecording),
             "argo_resume" to KnownOption("the name of a file, as \"robot.state\"") { it.isNotBlank() },
             "argo_ros" to KnownOption("the address of a rosbridge_server, as \"robot:9090\"") { value ->
@@ -55,7 +57,8 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
         /** The option for fleets. Agents without the architecture `argo.Arch` may have it, too. */
         const val OF_FLEET = "argo_fleet"
 
-        private fun isLiteral(value: String) = Regex("""\s*[a-z]\w*\s*(\(.+\)\s*)?""").matches(value)
+        private fun isCommand(value: String) = Regex("""\s*[a-z]\w*\s*(\(.+\)\s*)?""").matches(value) &&
+            Lexer(value) {}.tokens().none { it.kind == TokenKind.VARIABLE }
 
         private fun isRecording(value: String): Boolean {
             val last = Regex("last\\((.*)\\)").matchEntire(value.trim())

@@ -87,7 +87,7 @@ internal object ProjectFileRules {
     }
 
     private fun agent(project: Project, file: MasFile, agent: MasAgent, report: Report) {
-        agent.options.forEach { option(it, report) }
+        agent.options.filter { it.value?.kind != TokenKind.SYMBOL }.forEach { option(it, report) } // Jason refuses a symbol, as of -3
         agent.options.groupBy { it.name.text }.values.mapNotNull { it.getOrNull(1) }.forEach {
             report.warning("arch-option", it.name.span, "${it.name} is given twice", "only the last one counts", "keep one of them")
         }

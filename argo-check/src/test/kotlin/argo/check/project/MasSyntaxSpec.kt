@@ -45,6 +45,13 @@ class MasSyntaxSpec : FunSpec({
             "MAS m { agents: a = b; }" to "1:19 $PROGRAM, not =",
             "MAS m { agents: a agentArchClass argo.Arch\n b; }" to "2:2 ;, not b",
             "MAS m { agents: a [verbose=1] b; }" to "1:31 ;, not b",
+            "MAS m { agents: a [argo_percepts=-3]; }" to "1:34 $VALUE, not -",
+            "MAS m { agents: a [argo_record=drive.mcap]; }" to "1:32 $VALUE, not drive.mcap",
+            "MAS m { agents: a [x='y']; }" to "1:22 $VALUE, not 'y'",
+            "MAS m { agents: a [x=1 y=2]; }" to "1:24 ] or ,, not y",
+            "MAS m { agents: a [X=1]; }" to "1:20 the name of an option, not X",
+            "MAS m { agents: a [x]; }" to "1:21 =, not ]",
+            "MAS m { agents: a []; }" to "1:20 the name of an option, not ]",
             "MAS m { agents: a #x; }" to "1:20 a number, not x",
             "MAS m { agents: a;" to "1:19 the name of an agent, in lower case, not the end of the file",
             "MAS m { infrastructure: Local" to "1:30 a section, as agents, or }, not the end of the file",
@@ -65,6 +72,8 @@ class MasSyntaxSpec : FunSpec({
             "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; " +
                 "aslSourcePath: \"x\"; }",
             "MAS m { agents: a beliefBaseClass x.C(y.D, z.E(\"p(k,_)\"), [1,[q.R(2)]]); b [verbose=1] agentClass v.W(); }",
+            "MAS m { agents: a [events=discard,intBels=newFocus,nrcbp=3,verbose=2]; }",
+            "MAS m { agents: a [synchronised=true]; }", "MAS m { agents: a [x=Xy, z_1=true]; }", "MAS m { agents: a [y=1.5]; }",
             "/* c */ MAS m { agents: a; directives: d=x.Y; } x",
         ).forEach { text ->
             test("in '$text'") {
@@ -76,3 +85,4 @@ class MasSyntaxSpec : FunSpec({
 })
 
 private const val PROGRAM = "a program in lower case, as bob.asl or ./src/bob.asl, or ;"
+private const val VALUE = "a name, a number without a sign, or a text in quotes"

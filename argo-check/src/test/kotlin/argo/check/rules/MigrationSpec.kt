@@ -149,6 +149,10 @@ class MigrationSpec : FunSpec({
         fun of(options: String) = findings("new.mas2j" to "MAS m { agents: bob [$options] agentArchClass argo.Arch; }")
         of("argo_sensng=every").single().run { level to remedy } shouldBe (Level.ERROR to "did you mean argo_sensing?")
         of("argo_percepts=abc").single().what shouldBe "argo_percepts of argo.Arch is a whole number from 1 to 2147483647, not abc"
+        of("argo_percepts=-3").single().what shouldContain "a number without a sign"
+        of("argo_safe=\"f(X)\"").single().what shouldBe
+            "argo_safe of argo.Arch is a command without variables, as stop or \"speed(0)\", not f(X)"
+        of("argo_safe=\"say(\\\"X\\\",1)\"").shouldBeEmpty()
         of("argo_view=99999999").single().what shouldBe "argo_view of argo.Arch is a whole number from 0 to 65535, not 99999999"
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
         of("argo_diary=on").single().level shouldBe Level.HINT
