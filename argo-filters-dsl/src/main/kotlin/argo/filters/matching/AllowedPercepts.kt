@@ -20,6 +20,9 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
     /** Returns true if the conditions certainly allow at most one number for the argument at [index]. */
     fun isFixed(index: Int): Boolean = arguments[index]?.isFixed() == true
 
+    /** Returns the only value that the conditions allow for the argument at [index]. Returns null if none is found. */
+    fun single(index: Int): GroundTerm? = arguments[index]?.single()
+
     /** Returns true if the conditions certainly imply [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
         is Condition.Argument -> condition in conditions || arguments[condition.index]?.imply(condition.test) == true
@@ -37,6 +40,8 @@ private class AllowedTerms(private val tests: List<TermTest>) {
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
 
     fun isEmpty(): Boolean = values?.isEmpty() ?: (range?.isEmpty() == true)
+
+    fun single(): GroundTerm? = values?.singleOrNull()
 
     fun isFixed(): Boolean = values != null && values.count { it is GroundTerm.Number } < 2
 

@@ -2,6 +2,7 @@ package argo.filters.matching
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Predicate
@@ -21,9 +22,9 @@ import argo.filters.nameProblem
  * Rules are counted from 1. A reported part never has an effect. Not every part without effect is reported.
  */
 fun PerceptionFilter.warnings(): List<String> {
-    val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
-    val first = critical.mapIndexed { number, rule -> ReviewedRule("critical rule ${number + 1}", rule.rule, rule) }
-    val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule("smoothing rule ${number + 1}", rule.rule, smoothing = rule) }
+    val ordinary = rules.mapIndexed { number, rule -> ReviewedRule(number, "rule ${number + 1}", rule) }
+    val first = critical.mapIndexed { number, rule -> ReviewedRule(number, "critical rule ${number + 1}", rule.rule, rule) }
+    val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule(number, "smoothing rule ${number + 1}", rule.rule, null, rule) }
     val smoothed = smoothing.map { it.rule.predicate }.toSet()
     return listOfNotNull(unaskable(), emptiness()) + reviewedSmoothing(smooth) + first.mapNotNull { it.unsmoothed(smoothed) } +
         reviewed(first, emptyList()) + reviewed(ordinary, first.filter { it.seesWhatRulesSee(smoothed) })
@@ -39,30 +40,55 @@ private fun PerceptionFilter.emptiness(): String? = when {
 }
 
 /** Returns the warnings on smoothing [rules]. The first rule that a percept meets smooths the percept. */
-private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
-    rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
-    val other = rules.take(number).find { it.covers(rule) }
-    if (other != null) listOf(rule.superfluousBeside(other))
-    else rule.superfluousConditions() + rule.missingArguments() + listOfNotNull(rule.fixedArgument())
+private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> {
+    val all = ComparableRules(rules)
+    return rules.flatMap { rule ->
+        rule.contradiction()?.let { return@flatMap listOf(it) }
+        val other = all.beside(rule).find { it.number < rule.number && it.covers(rule) }
+        if (other != null) listOf(rule.superfluousBeside(other))
+        else rule.superfluousConditions() + rule.missingArguments() + listOfNotNull(rule.fixedArgument())
+    }
 }
 
 /** Returns the warnings on [rules]. The rules in [first] decide before [rules]. */
-private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
-    rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
-    val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->
-        at != number && other.makesSuperfluous(rule) && (at < number || !rule.makesSuperfluous(other))
-    }?.value
-    if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
+private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> {
+    val all = ComparableRules(rules)
+    val deciding = ComparableRules(first)
+    return rules.flatMap { rule ->
+        rule.contradiction()?.let { return@flatMap listOf(it) }
+        val other = deciding.beside(rule).find { it.covers(rule) } ?: all.beside(rule).find {
+            it !== rule && it.makesSuperfluous(rule) && (it.number < rule.number || !rule.makesSuperfluous(it))
+        }
+        if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
+    }
+}
+
+/** Groups [rules], so that not all pairs of a large filter are compared. */
+private class ComparableRules(rules: List<ReviewedRule>) {
+    private val groups = rules.groupBy { it.predicate to it.first }
+
+    /** Returns, in their order, all rules that can cover [rule]: a rule for one value of argument 0 covers only rules for this value. */
+    fun beside(rule: ReviewedRule): List<ReviewedRule> {
+        val general = groups[rule.predicate to null].orEmpty()
+        val equal = rule.first?.let { groups[rule.predicate to it] } ?: return general
+        return (general + equal).sortedBy { it.number }
+    }
 }
 
 /** A rule of a filter with its [name] for messages and the percepts that its conditions allow. */
 private class ReviewedRule(
+    val number: Int,
     private val name: String,
     private val rule: Rule,
     private val critical: CriticalRule? = null,
     private val smoothing: SmoothingRule? = null,
 ) {
     private val allowed = AllowedPercepts(rule.conditions)
+
+    val predicate: Predicate get() = rule.predicate
+
+    /** The only value that the conditions allow for argument 0; null: there are several, or none. */
+    val first: GroundTerm? = allowed.single(0)
 
     private fun sentence(finding: String) = "$name ($rule) $finding"
 

@@ -1,9 +1,13 @@
 package argo.filters.matching
 
+import argo.filters.Condition
 import argo.filters.DropRules
+import argo.filters.GroundTerm
 import argo.filters.KeepRules
+import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
+import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
 import argo.filters.format.JsonFilters
@@ -140,6 +144,18 @@ class FilterWarningsSpec : FunSpec({
     test("a filter whose name no agent can ask for") {
         PerceptionFilter("none", Rule("d")).warnings() shouldContainExactly
             listOf("no agent can ask for a filter of the name 'none': argo.change_filter(none) ends the filtering")
+    }
+
+    test("a rule that covers another is found among those of other predicates and first arguments") {
+        fun d(vararg tests: TermTest) = Rule("d", *tests.map { Condition.Argument(0, it) }.toTypedArray())
+        val one = TermTest.OneOf(setOf(GroundTerm.Number(1.0)))
+        val range = arrayOf(TermTest.Compare(Operator.GE, GroundTerm.Number(1.0)), TermTest.Compare(Operator.LE, GroundTerm.Number(1.0)))
+        fun superfluous(vararg rules: Rule) =
+            PerceptionFilter("f", *rules).warnings()
+                .map { it.substringBefore(" (") + it.substringAfter("has no effect").substringBefore(" (") }
+        superfluous(Rule("e"), d(one), Rule("e"), d(TermTest.Compare(Operator.EQ, GroundTerm.of("x"))), d(*range)) shouldContainExactly
+            listOf("rule 3: rule 1", "rule 5: rule 2")
+        superfluous(d(one), Rule("d")) shouldContainExactly listOf("rule 1: rule 2")
     }
 
     test("a rule or condition that is said to have no effect has none") {
