@@ -18,13 +18,13 @@ import kotlin.io.path.readText
  * @throws argo.filters.FilterException if the filter is refused
  */
 internal fun filterIn(file: Path): PerceptionFilter {
+    requireFile(file)
     val name = "$file"
     val read = when {
         name.endsWith(".xml") -> { input: InputStream -> XmlFilters.read(input, name) }
         name.endsWith(".json") -> { input: InputStream -> JsonFilters.read(input, name) }
         else -> throw ToolException("$file is no filter file: their names end in .xml or .json")
     }
-    requireFile(file)
     return file.inputStream().use(read)
 }
 

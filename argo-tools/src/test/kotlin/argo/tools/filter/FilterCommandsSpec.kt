@@ -47,11 +47,15 @@ class FilterCommandsSpec : FunSpec({
             listOf(listOf(warning), emptyList())
     }
 
+    test("a file of another name is refused with the names that filters have") {
+        argo("filter", "check", file("none.txt", "")).err shouldContain "none.txt is no filter file: their names end in .xml or .json"
+    }
+
     test("check goes on behind a file that is not there") {
-        val said = argo("filter", "check", "no-such.xml", folder.path + "/none.txt", front)
+        val said = argo("filter", "check", "no-such.xml", folder.path + "/gone.txt", front)
         said.status shouldBe 1
         said.err shouldContain "there is no file no-such.xml"
-        said.err shouldContain "names end in .xml or .json"
+        said.err shouldContain "there is no file ${folder.path}/gone.txt"
         said.out shouldContain "front.xml: ok"
     }
 
