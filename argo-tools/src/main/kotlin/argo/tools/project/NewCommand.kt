@@ -50,7 +50,7 @@ internal class NewCommand : ToolCommand() {
         val target = parent.resolve(name)
         requireNew(target)
         make(target, argo, testKit)
-        out.println("made $target: \"cd $target\", then \"gradle\" or \"mvn compile exec:exec\" runs it; see README.md")
+        out.println("made $target: \"cd ${quoted(target)}\", then \"gradle\" or \"mvn compile exec:exec\" runs it; see README.md")
         if (testKit == null) {
             err.println("there is no $TEST_KIT beside argo.jar, so the project has no test of its agent; give it with --testkit-jar FILE")
         }
@@ -75,11 +75,16 @@ internal class NewCommand : ToolCommand() {
         }
     }
 
+    private fun quoted(path: Path) = "$path".let { if (PLAIN.matches(it)) it else "'${it.replace("'", "'\\''")}'" }
+
     private fun existing(file: Path): Path = file.takeIf { it.isRegularFile() } ?: throw ToolException("there is no file $file")
 
     private companion object {
         const val TEST_KIT = "argo-testkit.jar"
         const val MAX_BOARDS = 2
+
+        /** Matches paths that shells read without quotes. */
+        val PLAIN = Regex("""[\w./\\:+-]+""")
 
         /** The version in ARGO's file names. */
         const val VERSION = "0.1.0"

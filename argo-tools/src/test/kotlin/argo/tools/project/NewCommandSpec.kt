@@ -50,6 +50,11 @@ class NewCommandSpec : FunSpec({
         argo("check", "$project").out shouldContain "0 errors, 0 warnings, 0 hints"
     }
 
+    test("a folder that a shell would read as several words is printed in quotes") {
+        folder.resolve("a b's").createDirectory()
+        argo("new", "--in", "$folder/a b's", "--argo-jar", "$jar", "robot").out shouldContain "\"cd '$folder/a b'\\''s/robot'\", then"
+    }
+
     test("a project of no boards, or three, is refused") {
         listOf("0", "3").forEach { new("many", "--boards", it).err shouldContain "--boards is 1 or 2, not $it" }
     }
