@@ -92,6 +92,8 @@ internal class McapScan(private val input: McapInput) {
         start.decodeToString() == "SQLite f" -> "it is a database of SQLite; \"ros2 bag convert\" makes an MCAP file of a bag in SQLite"
         start.decodeToString() == "#ROSBAG " ->
             "it is a bag of ROS 1; rosbags-convert, of the Python package rosbags, makes one of ROS 2 of it, with --dst-storage mcap"
+        start.decodeToString() == "javino-r" -> // LineRecording's first line
+            "it is a recording of a board; \"monitor replay:${input.path}\" shows it, and \"replay ${input.path}\" serves it as a board"
         Zstd.isIn(start) -> "all of it is compressed by Zstandard; \"zstd -d\" unpacks it"
         else -> "it does not begin as one"
     }

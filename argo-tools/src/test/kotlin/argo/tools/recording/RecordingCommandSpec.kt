@@ -148,6 +148,8 @@ class RecordingCommandSpec : FunSpec({
     test("what is no recording, a topic that is missing and wrong arguments are refused in words") {
         val text = tempfile(suffix = ".mcap").toPath().also { it.writeText("javino") }
         argo("recording", "$text") shouldBe Output(1, "", "$text is no MCAP file: it does not begin as one\n")
+        val board = tempfile(suffix = ".rec").toPath().also { it.writeText("javino-recording 1\n0\tin\tdist(1);\n") }
+        argo("recording", "$board").err shouldContain "it is a recording of a board; \"monitor replay:$board\" shows it"
         argo("recording", "no-such.mcap").err shouldBe "there is no file no-such.mcap\n"
         argo("recording", "$file", "--messages", "--topic", "/x").err shouldBe
             "$file has no topic /x; those that it has: /robot/cycle, /robot/print\n"
