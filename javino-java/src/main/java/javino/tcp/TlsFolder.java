@@ -116,7 +116,8 @@ public record TlsFolder(Path path) {
         } catch (GeneralSecurityException e) {
             // reported below
         }
-        throw new IOException("the file " + file + " holds no certificate; it begins with -----BEGIN CERTIFICATE-----");
+        throw new IOException(
+                "the file " + file + " holds no certificate; one begins with -----BEGIN CERTIFICATE-----");
     }
 
     private static PrivateKey key(Path file, String algorithm) throws IOException {

@@ -140,7 +140,7 @@ class TlsPortSpec : FunSpec({
             fun message() = shouldThrow<PortException> { open(board, folder) }.message.orEmpty()
             folder.createDirectories()
             fileOf(board).writeText("nonsense")
-            message() shouldContain "${fileOf(board)} holds no certificate"
+            message() shouldContain "${fileOf(board)} holds no certificate; one begins with -----BEGIN CERTIFICATE-----"
             fileOf(board).deleteExisting()
             TestCertificate.BOARD.write(folder.resolve("computer.crt"))
             message() shouldContain "computer.key is missing"
