@@ -206,7 +206,7 @@ internal class Resuming(
                 return refuse("that is no name of a file (${wrong.message})")
             }
             if (Files.isDirectory(path)) return refuse("that is a folder; it takes the name of a file, such as \"robot.state\"")
-            if (!Files.isDirectory(path.parent)) return refuse("there is no folder ${path.parent}")
+            if (!Files.isDirectory(path.parent)) return refuse("there is no folder ${path.parent}; make it")
             val file = StateFile.take(path)
                 ?: return refuse("another agent has this file, in this program or in another one; each agent needs its own")
             return Resuming(arch, file, platform, log)

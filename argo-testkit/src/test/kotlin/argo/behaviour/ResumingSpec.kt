@@ -207,7 +207,7 @@ class ResumingSpec : FunSpec({
         }.use { robot -> robot.shouldBelieve("begun").log.single { "keeps nothing" in it } shouldContain why }
 
         test("if the option names a folder") { shouldRefuse("\"$root\"", "that is a folder") }
-        test("if its folder is not there") { shouldRefuse("\"$root/none/robot.state\"", "there is no folder") }
+        test("if its folder is not there") { shouldRefuse("\"$root/none/robot.state\"", "there is no folder $root/none; make it") }
         test("if it names nothing") { shouldRefuse("\"\u0000\"", "that is no name of a file") }
         test("if another agent has the file") {
             val state = stateFile()
