@@ -84,10 +84,13 @@ internal class AgentChannels(
 
     /**
      * Marks this point, at which the agent wants the recording saved because of [why]. If the recording is a ring, another thread saves it.
+     * Returns false if the recording has ended, because nothing more can be stored.
      */
-    fun save(why: String, ns: Long) {
+    fun save(why: String, ns: Long): Boolean {
+        if (trouble != null) return false
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
+        return true
     }
 
     fun close() {

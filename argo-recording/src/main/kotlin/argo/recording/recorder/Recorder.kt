@@ -501,10 +501,7 @@ internal class Recorder(
         )
     }
 
-    override fun recordWanted(why: String): Boolean {
-        channels.save(why, agent.nanos())
-        return true
-    }
+    override fun recordWanted(why: String): Boolean = channels.save(why, agent.nanos())
 
     /**
      * Ends this agent's part of the recording. During a cycle of the agent, waits for the cycle's end: the agent's thread ends the part.

@@ -20,7 +20,7 @@ class RecorderProvider : AgentObserverProvider {
         val recording = try {
             SharedRecording.join(wanted, log)
         } catch (trouble: IOException) {
-            return refuse("the file cannot be made ($trouble)")
+            return refuse("the file cannot be made: ${wordsOf(trouble)}")
         } catch (trouble: InvalidPathException) {
             return refuse("that is no name of a file (${trouble.message})")
         }

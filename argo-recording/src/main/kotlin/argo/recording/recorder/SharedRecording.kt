@@ -5,7 +5,11 @@ import argo.recording.storage.RecordSink
 import argo.recording.storage.RecordingFile
 import argo.recording.storage.RecordingRing
 import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.time.Duration
 import java.time.LocalDateTime
@@ -33,7 +37,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
                 ring.save(file)
                 log.info("the last minutes are recorded in $file")
             } catch (trouble: Exception) { // report every failure
-                log.warning("the last minutes cannot be written to $file: $trouble")
+                log.warning("the last minutes cannot be written to $file: ${wordsOf(trouble)}")
             }
         }, "argo-save-recording").apply { isDaemon = true }.start()
     }
@@ -85,4 +89,14 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
             return RecordingFile.create(Path.of(value), log::warning).also { log.info("recording to ${it.path}") }
         }
     }
+}
+
+/** Returns in words why a file cannot be made or written. Of many exceptions, Java's message is only the file's name. */
+internal fun wordsOf(trouble: Exception): String = when (trouble) {
+    is NoSuchFileException -> "its folder is not there"
+    is AccessDeniedException -> "this user may not write ${trouble.file}"
+    is FileAlreadyExistsException -> "${trouble.file} is no folder"
+    is FileSystemException -> "${trouble.file}: ${trouble.reason}"
+    is IOException -> trouble.message ?: "$trouble"
+    else -> "$trouble"
 }
