@@ -43,7 +43,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     public String doubt() {
-        return "does a Javino board listen there?";
+        return "does a Javino board listen there? One that answers later needs a longer timeout";
     }
 
     @Override

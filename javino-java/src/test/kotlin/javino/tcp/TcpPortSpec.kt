@@ -140,6 +140,12 @@ class TcpPortSpec : FunSpec({
         }
     }
 
+    test("of a far end that is silent it is said that a longer timeout may help") {
+        Loopback().use { server ->
+            Transports.open(server.port, line).use { it.doubt() shouldContain "needs a longer timeout" }
+        }
+    }
+
     test("closing does not wait for a far end that does not read") {
         Loopback().use { server ->
             val computer = Transports.open(server.port, line)
