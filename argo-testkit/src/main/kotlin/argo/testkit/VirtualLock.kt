@@ -96,8 +96,8 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
                 time.block(deadlineNanos, interruptible) { waiter.signalled }
             } finally {
                 waiting -= waiter
-                awaitTurn(null, false)
-                enter(held)
+                take(null, false) // a free lock costs no switch of threads
+                holds = held
             }
         }
     }
