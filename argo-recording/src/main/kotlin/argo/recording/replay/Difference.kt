@@ -39,6 +39,7 @@ data class Difference(
 
 /** Returns the kind and both values of the first difference between [recorded] and [now]; null if there is none. */
 internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
+    if (recorded == now) return null // most cycles
     fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
         val (before, after) = recorded.of() to now.of()
         return if (before == after) null else Triple(what, before?.toString(), after?.toString())
@@ -89,9 +90,13 @@ private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver
  * all agents. The place of failed code is a path on the machine of the recording, and is missing in messages. A hash belongs to a Java
  * object, such as the iterator in the steps of a loop.
  */
-internal fun normal(text: String): String =
-    if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")
-    else text
+internal fun normal(text: String): String { // called for each part of each cycle, so it searches only where it may find something
+    var left = text
+    if ('_' in left || "mid" in left) left = left.replace(NUMBERED, "$1")
+    if ("code_" in left) left = left.replace(CODE_PLACE, "$1")
+    if ('@' in left) left = left.replace(OBJECT, "$1")
+    return left
+}
 
 private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+(?:_\d+)*""")
 private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:no_code|\d+|"(?:[^"\\]|\\.)*")\)""")
