@@ -12,6 +12,7 @@ The properties: a command reported done was carried out once, one reported refus
 a refused one is handled before the computer has seen the refusal; a command whose time is over is not sent; a believed answer was given to
 that request of that session; and from every state, if nothing more is lost, everything ends and a question is answered.
 """
+import gc
 import sys
 import time
 from collections import deque
@@ -484,6 +485,7 @@ def check_mutations():
 
 def main():
     begun = time.monotonic()
+    gc.disable()  # all states are kept to the end, so a search for garbage among them only costs time
     if sys.argv[1:] == ["--mutations"]:
         return 0 if check_mutations() else 1
     count, states = explore_all()
