@@ -305,9 +305,16 @@ registries:
 	./package > /dev/null
 	python3 tests/registries.py
 
-# The split is this folder as it was committed, with every commit that changed it.
+# The split is this folder as it was committed, with every commit that changed it in a history of this depth, behind which the copy has
+# no parents. git takes long for each commit; .ci/long splits all.
+HISTORY := 200
+RECENT := $(BUILD)/recent
 split-off:
-	rm -rf $(BUILD)/split
-	./split $(BUILD)/split
+	rm -rf $(BUILD)/split $(RECENT)
+	git clone -q --no-checkout --depth $(HISTORY) "file://$$(git rev-parse --show-toplevel)" $(RECENT)
+	git -C $(RECENT) checkout -q HEAD -- "$$(git rev-parse --show-prefix)"
+	cd $(RECENT)/.git && if [ -e shallow ]; then xargs -n 1 git replace --graft < shallow && rm shallow; fi
+	"$(RECENT)/$$(git rev-parse --show-prefix)split" $(BUILD)/split
 	test "$$(git -C $(BUILD)/split rev-parse HEAD^{tree})" = "$$(git rev-parse HEAD:./)"
-	test "$$(git -C $(BUILD)/split rev-list --count --no-merges HEAD)" = "$$(git rev-list --count --no-merges --full-history HEAD -- .)"
+	test "$$(git -C $(BUILD)/split rev-list --count --no-merges HEAD)" = \
+	  "$$(git -C $(RECENT) rev-list --count --no-merges --full-history HEAD -- "$$(git rev-parse --show-prefix)")"
