@@ -174,10 +174,10 @@ SWITCHES := JAVINO_VERSION_1_ONLY JAVINO_VERSION_2_ONLY JAVINO_NO_FUNCTOR_LISTS 
 FEATURES := NO_LIBRARY SMALLEST ACTION BOARD_ACTION FLASH_ACTION NUMBER DECIMAL UNKNOWN LATER WHOLE TEXT FLASH_TEXT TWO_DECIMALS \
   SIX_DECIMALS WHOLE_64 DESCRIBE COUNTERS LOST RULES
 
-$(BUILD)/features/%.elf: tests/features/features.cpp $(HEADERS) $(UNO_LIBRARY) $(BUILD)/avr/uno/core.a
+$(BUILD)/features/%.elf: tests/features/features.cpp $(HEADERS) $(UNO_LIBRARY) $(AVR_CORES)/uno/core.a
 	@mkdir -p $(@D)
 	$(AVR_CXX) $(uno_FLAGS) $(WARNINGS) -Isrc -DFEATURE_$* -c $< -o $(@:.elf=.o)
-	$(AVR_LINK) -mmcu=atmega328p $(@:.elf=.o) $(UNO_LIBRARY) $(BUILD)/avr/uno/core.a -lm -o $@
+	$(AVR_LINK) -mmcu=atmega328p $(@:.elf=.o) $(UNO_LIBRARY) $(AVR_CORES)/uno/core.a -lm -o $@
 
 features: $(FEATURES:%=$(BUILD)/features/%.elf)
 	@for switch in $(SWITCHES); do \
