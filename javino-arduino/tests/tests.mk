@@ -203,7 +203,7 @@ bare-metal:
 # ---- on the simulated Uno ----
 
 e2e: sim avr
-	python3 tests/e2e/simulated.py
+	python3 tests/e2e/simulated.py $(E2E)
 
 # ---- microcontrollers without Arduino, under QEMU ----
 
@@ -283,8 +283,9 @@ $(BUILD)/8051/driven.ihx: $(patsubst %.c,$(BUILD)/8051/%.rel,board.c mcs51.c $(C
 8051: $(BUILD)/8051/driven.ihx
 	@tests/driven/sizes
 	python3 tests/driven_vectors.py $<
+STREAMS_8051 := 50
 8051-differential: $(BUILD)/8051/driven.ihx
-	python3 tests/differential.py --streams 100 --seed 2 $<
+	python3 tests/differential.py --streams $(STREAMS_8051) --seed 2 $<
 
 # ---- kits and registries ----
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The sketches on the simulated ATmega328P, or on a microcontroller under QEMU, end to end over a pseudo-terminal. Prints what it measures.
 
-    simulated.py [--board uno|MACHINE] [PART OF A CASE'S NAME...]
+    simulated.py [--board uno|MACHINE] [--damaged SECONDS] [PART OF A CASE'S NAME...]
 """
 import argparse
 import os
@@ -567,7 +567,8 @@ def carried_out(board):
     return duties
 
 
-LEAST = 100  # actions on a damaged line, however long a busy machine takes for them
+DAMAGED_SECONDS = 5.0  # of actions on a damaged line, in each version
+LEAST = 100  # of these actions, however long a busy machine takes for them
 
 
 def on_a_damaged_line(version, run):
@@ -581,7 +582,7 @@ def on_a_damaged_line(version, run):
         # Here a swallowed frame is to be given up as soon as the protocol says.
         board.line.listen(100)
         board.line.damage = damage_one_in_200(rng, damaged)
-        result = run(board, texts(rng), time.monotonic() + (12 if board.kind == "uno" else 5))
+        result = run(board, texts(rng), time.monotonic() + Board.damaged_seconds)
         board.line.damage = lambda data: data
         board.line.ready()
     figure(f"version {version}, {damaged[0]} bytes damaged in both directions: {result}")
@@ -730,9 +731,10 @@ MACHINE_CASES = [
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--board", choices=["uno", *MACHINES], default="uno")
+    parser.add_argument("--damaged", type=float, default=DAMAGED_SECONDS, metavar="SECONDS", help="on a damaged line, in each version")
     parser.add_argument("wanted", nargs="*", help="parts of cases' names")
     options = parser.parse_args()
-    Board.kind = options.board
+    Board.kind, Board.damaged_seconds = options.board, options.damaged
     wanted, failed = options.wanted, 0
     cases = [c for c in (CASES if options.board == "uno" else MACHINE_CASES) if not wanted or any(w in c.__name__ for w in wanted)]
     for case in cases:
