@@ -2,6 +2,8 @@ package javino.sim;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -13,6 +15,9 @@ import java.util.concurrent.TimeUnit;
  */
 public final class PseudoTerminals implements AutoCloseable {
     private static final long START_LIMIT_MILLIS = 10_000;
+
+    /** Begins the line that socat prints when both terminals are as they stay. */
+    private static final String READY = "starting data transfer loop";
 
     private final Path directory;
     private final Process socat;
@@ -43,9 +48,9 @@ public final class PseudoTerminals implements AutoCloseable {
         Path directory = Files.createTempDirectory("argo-pty");
         String raw = "pty,raw,echo=0,link=";
         PseudoTerminals pair = new PseudoTerminals(
-                directory, socat(raw + directory.resolve("computer"), raw + directory.resolve("board")));
+                directory, socat("-d", "-d", raw + directory.resolve("computer"), raw + directory.resolve("board")));
         try {
-            pair.awaitDevices();
+            pair.awaitReadiness();
             return pair;
         } catch (IOException | InterruptedException e) {
             pair.close();
@@ -56,9 +61,7 @@ public final class PseudoTerminals implements AutoCloseable {
     private static Process socat(String... arguments) throws IOException {
         ProcessBuilder socat = new ProcessBuilder("socat");
         socat.command().addAll(List.of(arguments));
-        return socat.redirectErrorStream(true)
-                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .start();
+        return socat.redirectErrorStream(true).start();
     }
 
     /** Returns the device that a program opens as the board's port. */
@@ -87,11 +90,19 @@ public final class PseudoTerminals implements AutoCloseable {
         }
     }
 
-    private void awaitDevices() throws IOException, InterruptedException {
+    /**
+     * Waits for both terminals. socat links a terminal before it makes it raw. That would undo the settings of a program that has opened
+     * the terminal in between, whose reads would then wait for a byte without end.
+     */
+    private void awaitReadiness() throws IOException, InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(START_LIMIT_MILLIS);
-        while (!computer().exists() || !board().exists()) {
-            if (!socat.isAlive() || System.nanoTime() - end > 0) {
-                throw new IOException("socat made no pseudo-terminals in " + directory);
+        InputStream output = socat.getInputStream();
+        StringBuilder told = new StringBuilder();
+        while (told.indexOf(READY) < 0) {
+            boolean isOver = !socat.isAlive() || System.nanoTime() - end > 0;
+            told.append(new String(output.readNBytes(output.available()), StandardCharsets.US_ASCII));
+            if (isOver && told.indexOf(READY) < 0) {
+                throw new IOException("socat made no pseudo-terminals in " + directory + ": " + told);
             }
             TimeUnit.MILLISECONDS.sleep(5);
         }
