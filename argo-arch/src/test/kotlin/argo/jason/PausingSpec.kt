@@ -283,6 +283,7 @@ class PausingSpec : FunSpec({
 
     test("a board that has no such command, and an agent without the option, are told") {
         board().use { board ->
+            board.whenAsked("halt").refuse() // the agent may pause before it knows the board's actions
             LocalMas().use { mas ->
                 mas.agent("bob", WATCHING, mapOf("argo_safe" to "halt"))
                 mas.agent("alice", "!start.")
