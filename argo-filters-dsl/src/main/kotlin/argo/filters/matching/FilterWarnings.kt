@@ -22,9 +22,9 @@ import argo.filters.nameProblem
  * Rules are counted from 1. A reported part never has an effect. Not every part without effect is reported.
  */
 fun PerceptionFilter.warnings(): List<String> {
-    val ordinary = rules.mapIndexed { number, rule -> ReviewedRule(number, "rule ${number + 1}", rule) }
-    val first = critical.mapIndexed { number, rule -> ReviewedRule(number, "critical rule ${number + 1}", rule.rule, rule) }
-    val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule(number, "smoothing rule ${number + 1}", rule.rule, null, rule) }
+    val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule", number, rule) }
+    val first = critical.mapIndexed { number, rule -> ReviewedRule("critical rule", number, rule.rule, rule) }
+    val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule("smoothing rule", number, rule.rule, smoothing = rule) }
     val smoothed = smoothing.map { it.rule.predicate }.toSet()
     return listOfNotNull(unaskable(), emptiness()) + reviewedSmoothing(smooth) + first.mapNotNull { it.unsmoothed(smoothed) } +
         reviewed(first, emptyList()) + reviewed(ordinary, first.filter { it.seesWhatRulesSee(smoothed) })
@@ -75,14 +75,15 @@ private class ComparableRules(rules: List<ReviewedRule>) {
     }
 }
 
-/** A rule of a filter with its [name] for messages and the percepts that its conditions allow. */
+/** A rule of a filter: its [kind] in messages, its [number] from 0 among those of this kind, and the percepts that it allows. */
 private class ReviewedRule(
+    kind: String,
     val number: Int,
-    private val name: String,
     private val rule: Rule,
     private val critical: CriticalRule? = null,
     private val smoothing: SmoothingRule? = null,
 ) {
+    private val name = "$kind ${number + 1}"
     private val allowed = AllowedPercepts(rule.conditions)
 
     val predicate: Predicate get() = rule.predicate
