@@ -96,7 +96,7 @@ internal fun wordsOf(trouble: Exception): String = when (trouble) {
     is NoSuchFileException -> "its folder is not there"
     is AccessDeniedException -> "this user may not write ${trouble.file}"
     is FileAlreadyExistsException -> "${trouble.file} is no folder"
-    is FileSystemException -> "${trouble.file}: ${trouble.reason}"
+    is FileSystemException -> "${trouble.file}: ${trouble.reason ?: trouble.javaClass.simpleName}"
     is IOException -> trouble.message ?: "$trouble"
     else -> "$trouble"
 }
